@@ -1,0 +1,6 @@
+# One INTERFACE target carries the house's warnings (style: targets, not flags).
+add_library(quickstrip_warnings INTERFACE)
+target_compile_options(quickstrip_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion
+  $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast> -Werror
+  -ffp-contract=off)  # same bits on every run of one build

@@ -1,0 +1,44 @@
+// Every capacity of the core, with its reason. Changing one changes the memory of everything that holds it.
+#pragma once
+
+#include <cstddef>
+
+namespace quickstrip {
+
+// The hull (contract: at least 64 stations of 128 points).
+inline constexpr std::size_t kMaxStations = 64;
+inline constexpr std::size_t kMaxOffsets = 128;
+
+// What is watched on board (contract).
+inline constexpr std::size_t kMaxPoints = 16;
+inline constexpr std::size_t kMaxSlammingStations = 8;
+inline constexpr std::size_t kMaxFreeboardPoints = 8;
+
+// The grid that is swept each cycle (contract: 25 speeds x 72 headings).
+inline constexpr std::size_t kMaxSpeeds = 25;
+inline constexpr std::size_t kMaxHeadings = 72;
+
+// Directions of the wave energy and of the transfer functions: 5 degrees all round.
+inline constexpr std::size_t kNumDirections = 72;
+// Solved directions: 0 ... 180 degrees; the port side is the mirror image.
+inline constexpr std::size_t kNumSolvedDirections = kNumDirections / 2 + 1;
+
+// Wave frequencies of the transfer functions: resolves a JONSWAP peak of Tp 4 ... 25 s within 2 % of m0.
+inline constexpr std::size_t kMaxFrequencies = 48;
+// Encounter frequencies of the loaded hull's coefficient table, geometric spacing of about 9 %.
+inline constexpr std::size_t kNumEncounterNodes = 64;
+
+// The sea on the wire (contract: up to 6 systems; 64 frequencies x 72 directions).
+inline constexpr std::size_t kMaxWaveSystems = 6;
+inline constexpr std::size_t kMaxSpectrumFrequencies = 64;
+inline constexpr std::size_t kMaxSpectrumDirections = 72;
+
+// Criteria of a profile: seven kinds, the local ones at several places.
+inline constexpr std::size_t kMaxCriteria = 32;
+// Changes of course or speed that are ranked and sent.
+inline constexpr std::size_t kMaxChanges = 8;
+
+// Names of points and criteria: bytes of UTF-8 including the final zero.
+inline constexpr std::size_t kMaxNameBytes = 32;
+
+}  // namespace quickstrip
