@@ -1,6 +1,6 @@
 // Angles in radians, and the three directions that must never be mixed up: types, not comments.
-// Heading and WaveFrom are compass directions, clockwise from true north. EncounterAngle is the wave direction
-// relative to the bow (NOTATION.md): 0 following, pi head, +pi/2 waves from starboard.
+// Heading and WaveFrom are compass directions, clockwise from true north. EncounterAngle is the wave
+// direction relative to the bow (NOTATION.md): 0 following, pi head, +pi/2 waves from starboard.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,11 @@ inline EncounterAngle encounter_angle(Heading heading, WaveFrom from) {
   return {wrap_pi(heading.radians - from.radians + kPi)};
 }
 
-inline constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }
-inline constexpr double degrees(double radians_value) { return radians_value * (180.0 / kPi); }
+inline constexpr double radians(double degrees) {
+  return degrees * (kPi / 180.0);
+}
+inline constexpr double degrees(double radians_value) {
+  return radians_value * (180.0 / kPi);
+}
 
 }  // namespace quickstrip

@@ -7,7 +7,8 @@
 
 namespace quickstrip {
 
-/// Where x lies among the nodes: the first of three neighbouring nodes, and the three weights (their sum is 1).
+/// Where x lies among the nodes: the first of three neighbouring nodes, and the three weights (their sum is
+/// 1).
 struct LagrangeStencil {
   std::size_t first = 0;
   std::array<double, 3> weight{};

@@ -1,5 +1,5 @@
-// Result<T>: a value, or the reason why there is none. For faults of input and numerics; our own faults are QS_CHECK's.
-// Costs: no heap; sizeof(T) plus one code. Each code is worded once, in result.cpp.
+// Result<T>: a value, or the reason why there is none. For faults of input and numerics; our own faults are
+// QS_CHECK's. Costs: no heap; sizeof(T) plus one code. Each code is worded once, in result.cpp.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ enum class Error : std::uint8_t {
   kContourNotOrdered,
   kNoImmersedVolume,
   kDraughtAboveDeck,
-  kDraughtNotSupported,   // a hull of minimal form (breadth, draught, area) has one draught only
-  kUnstable,              // GM is not positive
+  kDraughtNotSupported,  // a hull of minimal form (breadth, draught, area) has one draught only
+  kUnstable,             // GM is not positive
   kEmptySpectrum,
   kSpeedOutOfGrid,
   // state
@@ -36,7 +36,7 @@ const char* message(Error error);
 template <typename T>
 class [[nodiscard]] Result {
  public:
-  Result(const T& value) : value_(value) {}  // NOLINT: implicit on purpose
+  Result(const T& value) : value_(value) {}                                 // NOLINT: implicit on purpose
   Result(Error error) : error_(error) { QS_CHECK(error != Error::kNone); }  // NOLINT
 
   [[nodiscard]] bool ok() const { return error_ == Error::kNone; }

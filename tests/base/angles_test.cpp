@@ -13,8 +13,8 @@ double mu_deg(double heading_deg, double from_deg) {
 TEST(EncounterAngle, HeadFollowingStarboardAndPortAreWhereTheContractPutsThem) {
   EXPECT_NEAR(mu_deg(30, 30), 180, 1e-12);
   EXPECT_NEAR(mu_deg(30, 210), 0, 1e-12);
-  EXPECT_NEAR(mu_deg(0, 90), 90, 1e-12);    // north-going ship, waves from the east: from starboard
-  EXPECT_NEAR(mu_deg(0, 270), -90, 1e-12);  // from the west: from port
+  EXPECT_NEAR(mu_deg(0, 90), 90, 1e-12);     // north-going ship, waves from the east: from starboard
+  EXPECT_NEAR(mu_deg(0, 270), -90, 1e-12);   // from the west: from port
   EXPECT_NEAR(mu_deg(350, 35), 135, 1e-12);  // starboard bow, across north
 }
 

@@ -1,0 +1,111 @@
+// What the bridge is told: verdict per cell of the heading x speed grid, and advice for the present course
+// and speed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/advice/criteria.hpp"
+#include "core/base/angles.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/static_vector.hpp"
+
+namespace quickstrip {
+
+enum class Verdict : std::uint8_t { kUnknown = 0, kGood = 1, kCaution = 2, kExceeded = 3 };
+
+/// Bits that travel with a number (formulas §6, [Journee1992] §6): usable, but for a reason to be said.
+enum QualityBit : std::uint32_t {
+  kQualityReplacedSection = 1u << 0,     // sections that no Lewis form fits
+  kQualityLowEncounter = 1u << 1,        // energy at encounter frequencies below the floor
+  kQualityHighFroude = 1u << 2,          // Fn above 0.35: strip theory less accurate
+  kQualityLowLengthBreadth = 1u << 3,    // L/B below 3
+  kQualityExtremeMotion = 1u << 4,       // RMS roll above 10 degrees: linear roll invalid
+  kQualityTailLost = 1u << 5,            // more than 1 % of m0 outside the frequency range
+  kQualitySpeedOverGround = 1u << 6,     // speed through water not known
+  kQualityFreeSurfaceUnknown = 1u << 7,  // no free-surface correction given
+};
+
+/// Hazard bits of a cell. Zones of the IMO guidance follow with issue of that name; reserved here.
+enum HazardBit : std::uint16_t {
+  kHazardNoSteerage = 1u << 0,  // below the minimum steerage speed: never recommended
+  kHazardFollowingUnwatched =
+      1u << 1,  // low-encounter components carry more than a fifth of a watched variance
+};
+
+inline constexpr std::uint8_t kNoCriterion = 255;
+inline constexpr std::uint8_t kNoSystem = 255;
+
+/// One cell. values: one per criterion, in the criterion's statistic (rad, m/s2, probability, 1/h).
+/// margin: factor by which wave height may grow before the governing limit is reached (1 = at the limit; +inf
+/// never: stored as kMarginUnbounded).
+struct Cell {
+  Verdict verdict = Verdict::kUnknown;
+  std::uint8_t governing = kNoCriterion;      // index into Criteria
+  std::uint8_t governing_system = kNoSystem;  // wave system that contributes most of the governing variance
+  std::uint16_t hazards = 0;
+  std::uint32_t quality = 0;
+  float margin = 0.0F;
+  std::array<float, kMaxCriteria> values{};
+  // for the picture and the wire, whatever the criteria are
+  float rms_roll = 0.0F;             // rad
+  float rms_bridge_vertical = 0.0F;  // m/s2; negative: no point of role bridge
+  float roll_exceedance = 0.0F;      // probability that a roll amplitude exceeds the limit's amplitude
+  float slam_probability = 0.0F;     // per encounter, worst station
+  float slams_per_hour = 0.0F;
+  float wetness_probability = 0.0F;  // per encounter, worst point
+  float low_encounter_share = 0.0F;  // largest share among watched variances
+};
+
+inline constexpr float kMarginUnbounded = 99.0F;
+
+/// heading h: compass 2 pi h / num_headings; speed s: speeds[s]. 1,800 cells of about 190 bytes: static.
+struct Grid {
+  std::size_t num_speeds = 0;
+  std::size_t num_headings = 0;
+  std::array<double, kMaxSpeeds> speeds{};  // m/s
+  std::array<std::array<Cell, kMaxHeadings>, kMaxSpeeds> cells{};
+};
+
+/// A change of course and/or speed that brings the ship back inside the limits.
+struct Change {
+  double heading = 0.0;         // new heading [rad], compass
+  double speed = 0.0;           // new speed [m/s]
+  double heading_change = 0.0;  // signed, + to starboard [rad]
+  double speed_change = 0.0;    // signed [m/s]
+  double effort = 0.0;          // what "smallest" means: see ranking.hpp
+  Verdict verdict = Verdict::kUnknown;
+  std::uint8_t governing = kNoCriterion;
+  float margin = 0.0F;
+};
+
+enum class NoAdvice : std::uint8_t {
+  kNone = 0,
+  kNotConfigured,
+  kSeaMissing,
+  kSeaStale,
+  kSeaImplausible,
+  kOwnShipMissing,
+  kOwnShipStale,
+  kOwnShipImplausible,
+  kLoadingMissing,
+  kLoadingStale,
+  kLoadingImplausible,
+  kLoadingChanged,  // the hull is being rebuilt for a new loading
+  kSpeedOutsideGrid,
+  kInternal,
+};
+
+struct Advice {
+  NoAdvice no_advice = NoAdvice::kNotConfigured;  // kNone: the rest is valid
+  Heading heading;
+  double speed = 0.0;  // m/s
+  Cell present;        // at the present course and speed
+  StaticVector<Change, kMaxChanges>
+      changes;                   // ranked, smallest first; empty when none is needed or none helps
+  bool change_needed = false;    // present verdict is not good
+  bool no_change_helps = false;  // needed, and no cell is better
+};
+
+}  // namespace quickstrip

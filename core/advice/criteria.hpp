@@ -1,0 +1,45 @@
+// Limits: a quantity at a place, a statistic of it, and the value not to be exceeded. RMS is never judged
+// against a significant value: the statistic is part of the criterion.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/capacity.hpp"
+#include "core/base/name.hpp"
+#include "core/base/static_vector.hpp"
+
+namespace quickstrip {
+
+enum class Quantity : std::uint8_t {
+  kSurge,
+  kSway,
+  kHeave,
+  kRoll,
+  kPitch,
+  kYaw,  // m or rad, of G
+  kLongitudinalAcceleration,
+  kLateralAcceleration,
+  kVerticalAcceleration,  // m/s2, at point `place`
+  kSlamming,              // at slamming station `place`
+  kDeckWetness,           // at freeboard point `place`
+};
+
+enum class Statistic : std::uint8_t { kRms, kSignificant, kProbability, kPerHour };
+
+/// kNowhere: the criterion asks for a role that the hull file does not give; listed as not watched, and no
+/// cell is good without it.
+inline constexpr std::uint8_t kNowhere = 255;
+
+struct Criterion {
+  Name name;  // "roll", "slamming at bow"
+  Quantity quantity = Quantity::kRoll;
+  std::uint8_t place = 0;  // index into the hull's points, slamming stations or freeboard points
+  Statistic statistic = Statistic::kRms;
+  double limit = 0.0;              // rad, m/s2, probability per encounter or number per hour
+  double caution_fraction = 0.75;  // of the limit: amber from here on
+  [[nodiscard]] bool is_watched() const { return place != kNowhere; }
+};
+
+using Criteria = StaticVector<Criterion, kMaxCriteria>;
+
+}  // namespace quickstrip

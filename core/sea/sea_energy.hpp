@@ -1,0 +1,38 @@
+// The sea on the grid of the transfer functions: wave energy per system, direction and frequency node [m2],
+// so that a response variance is sum(|H|^2 energy). The energy of a node is the integral of S times the
+// node's hat function: exact for a response that is linear between nodes. Built once per sea state, read by
+// every cell of the cycle.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
+#include "core/sea/sea_state.hpp"
+
+namespace quickstrip {
+
+/// energy[system][direction][frequency]; direction d: waves from the compass direction 2 pi d /
+/// kNumDirections. Renormalised: the sum over all equals the m0 of the input; lost_tail is the fraction of m0
+/// that lay outside the frequency nodes before. The whole is 166 kB: static, never on the stack.
+struct SeaEnergy {
+  std::size_t num_systems = 0;
+  std::size_t num_frequencies = 0;
+  std::array<std::array<std::array<double, kMaxFrequencies>, kNumDirections>, kMaxWaveSystems> energy{};
+  std::array<std::array<double, kMaxFrequencies>, kNumDirections> total{};  // summed over systems
+  std::array<WaveSystem, kMaxWaveSystems>
+      system{};            // hs, Tp, mean direction and spreading of each, for words
+  double lost_tail = 0.0;  // fraction of m0
+  double hs = 0.0;         // of all systems together [m]
+};
+
+/// From wave systems. Errors: kEmptySpectrum, kNotFinite, kOutOfRange. `omega` increasing, 3 ...
+/// kMaxFrequencies.
+Status place_on_grid(const SeaState& sea, std::span<const double> omega, SeaEnergy& out);
+
+/// From a measured directional spectrum, divided into systems (no energy is lost by the division).
+Status place_on_grid(const DirectionalSpectrum& spectrum, std::span<const double> omega, SeaEnergy& out);
+
+}  // namespace quickstrip
