@@ -37,7 +37,11 @@ enum HazardBit : std::uint16_t {
 inline constexpr std::uint8_t kNoCriterion = 255;
 inline constexpr std::uint8_t kNoSystem = 255;
 
-/// One cell. values: one per criterion, in the criterion's statistic (rad, m/s2, probability, 1/h).
+/// In a column that the hull or the criteria do not give (no bridge point, no slamming station ...).
+inline constexpr float kNotComputed = -1.0F;
+
+/// One cell. values: one per criterion, in the criterion's statistic (rad, m/s2, probability, 1/h);
+/// kNotComputed for a criterion that is not watched.
 /// margin: factor by which wave height may grow before the governing limit is reached (1 = at the limit; +inf
 /// never: stored as kMarginUnbounded).
 struct Cell {
@@ -49,13 +53,13 @@ struct Cell {
   float margin = 0.0F;
   std::array<float, kMaxCriteria> values{};
   // for the picture and the wire, whatever the criteria are
-  float rms_roll = 0.0F;             // rad
-  float rms_bridge_vertical = 0.0F;  // m/s2; negative: no point of role bridge
-  float roll_exceedance = 0.0F;      // probability that a roll amplitude exceeds the limit's amplitude
-  float slam_probability = 0.0F;     // per encounter, worst station
-  float slams_per_hour = 0.0F;
-  float wetness_probability = 0.0F;  // per encounter, worst point
-  float low_encounter_share = 0.0F;  // largest share among watched variances
+  float rms_roll = 0.0F;                     // rad
+  float rms_bridge_vertical = kNotComputed;  // m/s2, worst point of role bridge
+  float roll_exceedance = kNotComputed;   // that a roll amplitude exceeds the limit's significant amplitude
+  float slam_probability = kNotComputed;  // per encounter, worst station
+  float slams_per_hour = kNotComputed;    // worst station
+  float wetness_probability = kNotComputed;  // per encounter, worst point
+  float low_encounter_share = 0.0F;          // largest share among watched variances
 };
 
 inline constexpr float kMarginUnbounded = 99.0F;
@@ -105,6 +109,7 @@ struct Advice {
   StaticVector<Change, kMaxChanges>
       changes;                   // ranked, smallest first; empty when none is needed or none helps
   bool change_needed = false;    // present verdict is not good
+  bool none_is_good = false;     // needed, and no cell is good: changes lead to the best that can be had
   bool no_change_helps = false;  // needed, and no cell is better
 };
 

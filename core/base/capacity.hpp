@@ -14,6 +14,10 @@ inline constexpr std::size_t kMaxPoints = 16;
 inline constexpr std::size_t kMaxSlammingStations = 8;
 inline constexpr std::size_t kMaxFreeboardPoints = 8;
 
+// Response channels: six motions, three accelerations at each point, relative motion at each station and
+// point.
+inline constexpr std::size_t kMaxChannels = 6 + 3 * kMaxPoints + kMaxSlammingStations + kMaxFreeboardPoints;
+
 // The grid that is swept each cycle (contract: 25 speeds x 72 headings).
 inline constexpr std::size_t kMaxSpeeds = 25;
 inline constexpr std::size_t kMaxHeadings = 72;

@@ -1,0 +1,44 @@
+// Every watched quantity at one course and speed: what QS_RESPONSE and `quickstrip-hull responses` print.
+//
+// Between grid nodes the variances (and the other moments) are interpolated bilinearly, in heading between
+// the directions of the wave energy (5 degrees) and in speed between the solved speeds; statistics are taken
+// afterwards. At a cell of the grid this is the grid's own sum.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/advice/advice.hpp"
+#include "core/advice/criteria.hpp"
+#include "core/base/angles.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/static_vector.hpp"
+
+namespace quickstrip {
+
+/// One quantity at one place. Slamming and deck wetness: rms, significant and periods are those of the
+/// vertical relative motion [m]. Periods are 0 where nothing moves.
+struct QuantityResponse {
+  Quantity quantity = Quantity::kRoll;
+  std::uint8_t place = 0;             // index into points, slamming stations or freeboard points; motions: 0
+  double rms = 0.0;                   // m, rad or m/s2
+  double significant = 0.0;           // single amplitude
+  double t1 = 0.0;                    // s
+  double t2 = 0.0;                    // s
+  double probability = kNotComputed;  // per wave encounter; slamming and deck wetness only
+  double per_hour = kNotComputed;     // slamming and deck wetness only
+  double low_encounter_share = 0.0;   // of the variance, below the encounter-frequency floor
+  std::array<double, kMaxWaveSystems> variance{};  // by wave system; their sum is rms^2
+};
+
+/// 70 quantities of about 130 bytes: static. `cell` holds verdict, governing criterion and margin.
+struct CellResponse {
+  Heading heading;
+  double speed = 0.0;  // m/s
+  std::size_t num_systems = 0;
+  Cell cell;
+  StaticVector<QuantityResponse, kMaxChannels> quantities;
+};
+
+}  // namespace quickstrip
