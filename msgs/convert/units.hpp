@@ -1,0 +1,26 @@
+// Units of the rim against those of core: knots, degrees, hours and microseconds here; m/s, radians and
+// seconds there. The only place where the factors stand.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/angles.hpp"
+
+namespace quickstrip {
+
+inline constexpr double kMetresPerSecondPerKnot = 1852.0 / 3600.0;  // international nautical mile, exact
+inline constexpr double kMicrosecondsPerSecond = 1.0e6;
+inline constexpr double kSecondsPerHour = 3600.0;
+
+inline constexpr double from_knots(double knots) {
+  return knots * kMetresPerSecondPerKnot;
+}
+inline constexpr double to_knots(double metres_per_second) {
+  return metres_per_second / kMetresPerSecondPerKnot;
+}
+/// Age of something measured at `utime`, at the time `now`, both microseconds since the epoch [s].
+inline constexpr double seconds_between(std::int64_t utime, std::int64_t now) {
+  return static_cast<double>(now - utime) / kMicrosecondsPerSecond;
+}
+
+}  // namespace quickstrip
