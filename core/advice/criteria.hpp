@@ -7,22 +7,9 @@
 #include "core/base/capacity.hpp"
 #include "core/base/name.hpp"
 #include "core/base/static_vector.hpp"
+#include "core/response/quantity.hpp"
 
 namespace quickstrip {
-
-enum class Quantity : std::uint8_t {
-  kSurge,
-  kSway,
-  kHeave,
-  kRoll,
-  kPitch,
-  kYaw,  // m or rad, of G
-  kLongitudinalAcceleration,
-  kLateralAcceleration,
-  kVerticalAcceleration,  // m/s2, at point `place`
-  kSlamming,              // at slamming station `place`
-  kDeckWetness,           // at freeboard point `place`
-};
 
 enum class Statistic : std::uint8_t { kRms, kSignificant, kProbability, kPerHour };
 

@@ -1,0 +1,153 @@
+#include "core/response/moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr std::size_t kHalfCircle = kNumDirections / 2;
+
+/// The solved speeds on either side, and how far v lies towards the upper one.
+struct SpeedBracket {
+  std::size_t lower = 0;
+  std::size_t upper = 0;
+  double part = 0.0;
+};
+
+Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double speed) {
+  // Speeds at the rim are converted from knots: the last place of the ends is no reason to refuse.
+  constexpr double kRounding = 1e-9;
+  const std::size_t n = transfer.num_speeds;
+  if (n == 0 || !(speed >= transfer.speeds[0] - kRounding) ||
+      !(speed <= transfer.speeds[n - 1] + kRounding)) {
+    return Error::kSpeedOutOfGrid;
+  }
+  SpeedBracket bracket;
+  while (bracket.lower + 2 < n && speed >= transfer.speeds[bracket.lower + 1]) {
+    ++bracket.lower;
+  }
+  bracket.upper = std::min(bracket.lower + 1, n - 1);
+  if (bracket.upper > bracket.lower) {
+    const double low = transfer.speeds[bracket.lower];
+    bracket.part = std::clamp((speed - low) / (transfer.speeds[bracket.upper] - low), 0.0, 1.0);
+  }
+  return bracket;
+}
+
+/// Wave energy at one relative direction: per system, and all together.
+struct RelativeEnergy {
+  std::array<std::array<double, kMaxFrequencies>, kMaxWaveSystems> system{};
+  std::array<double, kMaxFrequencies> total{};
+  bool is_empty = true;
+};
+
+RelativeEnergy relative_energy(const SeaEnergy& sea, Heading heading, std::size_t m) {
+  const double turned = wrap_two_pi(heading.radians) / kTwoPi * static_cast<double>(kNumDirections);
+  const double below = std::floor(turned);
+  const double part = turned - below;
+  const std::size_t h = static_cast<std::size_t>(below) % kNumDirections;
+  const std::size_t d0 = wave_direction(h, m);
+  const std::size_t d1 = wave_direction((h + 1) % kNumDirections, m);
+  RelativeEnergy out;
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    for (std::size_t f = 0; f < sea.num_frequencies; ++f) {
+      const double energy = (1.0 - part) * sea.energy[s][d0][f] + part * sea.energy[s][d1][f];
+      out.system[s][f] = energy;
+      out.total[f] += energy;
+      out.is_empty = out.is_empty && energy == 0.0;
+    }
+  }
+  return out;
+}
+
+using TransferRow = std::array<MotionTransfer, kMaxFrequencies>;
+
+void add_moments(const std::array<double, kMaxFrequencies>& h2, const TransferRow& row,
+                 const RelativeEnergy& energy, const SeaEnergy& sea, double weight, ResponseMoments& out) {
+  for (std::size_t f = 0; f < sea.num_frequencies; ++f) {
+    const double omega_e = std::abs(row[f].encounter_frequency);
+    const double part = weight * h2[f] * energy.total[f];
+    out.m0 += part;
+    out.m1 += part * omega_e;
+    out.m2 += part * omega_e * omega_e;
+    out.m0_low_encounter += row[f].low_encounter ? part : 0.0;
+  }
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    for (std::size_t f = 0; f < sea.num_frequencies; ++f) {
+      out.m0_by_system[s] += weight * h2[f] * energy.system[s][f];
+    }
+  }
+}
+
+/// All channels, one speed, one relative direction.
+void add_direction(const TransferFunctions& transfer, std::size_t speed, std::size_t m, double weight,
+                   const Watch& watch, const SeaEnergy& sea, const RelativeEnergy& energy,
+                   std::span<ResponseMoments> out) {
+  const std::size_t n = transfer.num_frequencies;
+  TransferRow row = transfer.solved[speed][solved_direction(m)];
+  if (is_mirrored(m)) {
+    std::transform(row.begin(), row.begin() + n, row.begin(), mirrored);
+  }
+  std::array<double, kMaxFrequencies> h2{};
+  for (std::size_t c = 0; c < watch.channels.size(); ++c) {
+    channel_energies(watch.channels[c], std::span(row).first(n), std::span(transfer.wave_number).first(n),
+                     relative_direction(m), watch.gravity, std::span(h2).first(n));
+    add_moments(h2, row, energy, sea, weight, out[c]);
+  }
+}
+
+}  // namespace
+
+EncounterAngle relative_direction(std::size_t m) {
+  const double mu = kTwoPi * static_cast<double>(solved_direction(m)) / static_cast<double>(kNumDirections);
+  return {is_mirrored(m) ? -mu : mu};
+}
+
+std::size_t solved_direction(std::size_t m) {
+  QS_CHECK(m < kNumDirections);
+  return m <= kHalfCircle ? m : kNumDirections - m;
+}
+
+bool is_mirrored(std::size_t m) {
+  return m > kHalfCircle;
+}
+
+std::size_t wave_direction(std::size_t h, std::size_t m) {
+  return (h + kHalfCircle + kNumDirections - m) % kNumDirections;
+}
+
+Status response_moments(const TransferFunctions& transfer, const Watch& watch, const SeaEnergy& sea,
+                        Heading heading, double speed, std::span<ResponseMoments> out) {
+  if (out.size() != watch.channels.size() || sea.num_frequencies != transfer.num_frequencies) {
+    return Error::kTooMany;
+  }
+  if (!std::isfinite(heading.radians)) {
+    return Error::kNotFinite;
+  }
+  const Result<SpeedBracket> bracket = bracket_speed(transfer, speed);
+  if (!bracket) {
+    return bracket.error();
+  }
+  std::fill(out.begin(), out.end(), ResponseMoments{});
+  for (std::size_t m = 0; m < kNumDirections; ++m) {
+    const RelativeEnergy energy = relative_energy(sea, heading, m);
+    if (energy.is_empty) {
+      continue;
+    }
+    if (bracket->part < 1.0) {
+      add_direction(transfer, bracket->lower, m, 1.0 - bracket->part, watch, sea, energy, out);
+    }
+    if (bracket->part > 0.0) {
+      add_direction(transfer, bracket->upper, m, bracket->part, watch, sea, energy, out);
+    }
+  }
+  const bool finite = std::all_of(out.begin(), out.end(), [](const ResponseMoments& moments) {
+    return std::isfinite(moments.m0) && std::isfinite(moments.m2);
+  });
+  return finite ? Status() : Status(Error::kNotFinite);
+}
+
+}  // namespace quickstrip

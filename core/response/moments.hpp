@@ -1,0 +1,48 @@
+// Moments of every channel at one course and speed, by wave system.
+//
+// m_n = sum over directions and wave frequencies of |H|^2 |omega_e|^n times the wave energy: never by folding
+// the sea into encounter frequency, so a following sea needs no special care. Variances of systems add.
+// Between the nodes the moments are interpolated bilinearly: in heading between the directions of the wave
+// energy, in speed between the solved speeds.
+// Cost: 2 speeds x 72 directions x frequencies x channels; 3 ms for 14 channels on one ordinary core.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/base/angles.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
+#include "core/response/watch.hpp"
+#include "core/sea/sea_energy.hpp"
+#include "core/strip/transfer_functions.hpp"
+
+namespace quickstrip {
+
+/// In the unit of the channel squared, times 1/s for each order.
+struct ResponseMoments {
+  double m0 = 0.0;
+  double m1 = 0.0;
+  double m2 = 0.0;
+  double m0_low_encounter = 0.0;  // the part of m0 below the encounter-frequency floor
+  std::array<double, kMaxWaveSystems> m0_by_system{};
+};
+
+/// out: one per channel of the watch. Errors: kSpeedOutOfGrid, kNotFinite; kTooMany when the sea and the
+/// transfer functions have different frequencies or `out` another length than the watch.
+Status response_moments(const TransferFunctions& transfer, const Watch& watch, const SeaEnergy& sea,
+                        Heading heading, double speed, std::span<ResponseMoments> out);
+
+/// mu of direction index m of the full circle, in (-pi, pi]: 2 pi m / kNumDirections.
+EncounterAngle relative_direction(std::size_t m);
+
+/// Index into the solved directions for m; the other side of the ship is the mirror image.
+std::size_t solved_direction(std::size_t m);
+bool is_mirrored(std::size_t m);
+
+/// The compass direction index from which waves come that travel at relative direction m when the ship heads
+/// for direction index h (2 pi h / kNumDirections): from = heading + pi - mu.
+std::size_t wave_direction(std::size_t h, std::size_t m);
+
+}  // namespace quickstrip

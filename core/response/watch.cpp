@@ -1,0 +1,157 @@
+#include "core/response/watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+#include "core/response/relative_motion.hpp"
+#include "core/response/slamming.hpp"
+
+namespace quickstrip {
+namespace {
+
+/// Of the lowest point of a station above the base line [m].
+double keel_height(const Hull& hull, const Loading& loading, const Station& station) {
+  return station.is_minimal() ? waterline_height(hull, loading, station.x) - station.draught
+                              : station.offsets.front().z;
+}
+
+/// Linear between stations. Stations in increasing x.
+Result<double> keel_height_at(const Hull& hull, const Loading& loading, double x) {
+  for (std::size_t i = 0; i + 1 < hull.stations.size(); ++i) {
+    const Station& aft = hull.stations[i];
+    const Station& fore = hull.stations[i + 1];
+    if (x >= aft.x && x <= fore.x) {
+      const double part = (x - aft.x) / (fore.x - aft.x);
+      return (1.0 - part) * keel_height(hull, loading, aft) + part * keel_height(hull, loading, fore);
+    }
+  }
+  return Error::kOutOfRange;
+}
+
+void list_points(const Hull& hull, const Position& g, Watch& out) {
+  for (std::size_t i = 0; i < hull.points.size(); ++i) {
+    const PointOfInterest& point = hull.points[i];
+    for (const Quantity quantity : {Quantity::kLongitudinalAcceleration, Quantity::kLateralAcceleration,
+                                    Quantity::kVerticalAcceleration}) {
+      QS_CHECK(out.channels.push_back({.quantity = quantity,
+                                       .place = static_cast<std::uint8_t>(i),
+                                       .role = point.role,
+                                       .position = {point.x - g.x, point.y, point.z - g.z}}));
+    }
+  }
+}
+
+Status list_slamming(const Hull& hull, const Loading& loading, const Position& g, Watch& out) {
+  for (std::size_t i = 0; i < hull.slamming.size(); ++i) {
+    const SlammingStation& station = hull.slamming[i];
+    const Result<double> keel = keel_height_at(hull, loading, station.x);
+    if (!keel) {
+      return keel.error();
+    }
+    const double velocity =
+        station.threshold_velocity.value_or(ochi_threshold_velocity(hull.lpp, loading.gravity));
+    const double draught = waterline_height(hull, loading, station.x) - *keel;
+    if (!(velocity >= 0.0) || !std::isfinite(velocity) || !std::isfinite(draught)) {
+      return Error::kNotFinite;
+    }
+    QS_CHECK(out.channels.push_back({.quantity = Quantity::kSlamming,
+                                     .place = static_cast<std::uint8_t>(i),
+                                     .position = {station.x - g.x, 0.0, *keel - g.z},
+                                     .level = std::max(draught, 0.0),
+                                     .threshold_velocity = velocity}));
+  }
+  return {};
+}
+
+Status list_freeboard(const Hull& hull, const Loading& loading, const Position& g, Watch& out) {
+  for (std::size_t i = 0; i < hull.freeboard.size(); ++i) {
+    const FreeboardPoint& point = hull.freeboard[i];
+    const double freeboard = point.height - waterline_height(hull, loading, point.x);
+    if (!(freeboard > 0.0) || !std::isfinite(freeboard)) {
+      return Error::kOutOfRange;
+    }
+    QS_CHECK(out.channels.push_back({.quantity = Quantity::kDeckWetness,
+                                     .place = static_cast<std::uint8_t>(i),
+                                     .position = {point.x - g.x, 0.0, point.height - g.z},
+                                     .level = freeboard}));
+  }
+  return {};
+}
+
+bool all_finite(const Watch& watch) {
+  return std::isfinite(watch.gravity) &&
+         std::all_of(watch.channels.begin(), watch.channels.end(), [](const Channel& channel) {
+           return std::isfinite(channel.position.x) && std::isfinite(channel.position.y) &&
+                  std::isfinite(channel.position.z);
+         });
+}
+
+std::complex<double> acceleration(const Channel& channel, const MotionTransfer& transfer, double gravity) {
+  const PointMotion a = point_acceleration(transfer, channel.position, gravity);
+  switch (channel.quantity) {
+    case Quantity::kLongitudinalAcceleration:
+      return a.x;
+    case Quantity::kLateralAcceleration:
+      return a.y;
+    default:
+      return a.z;
+  }
+}
+
+bool is_relative_motion(Quantity quantity) {
+  return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness;
+}
+
+}  // namespace
+
+Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatics& hydrostatics, Watch& out) {
+  out.channels.clear();
+  out.gravity = loading.gravity;
+  if (!(hull.lpp > 0.0) || !(loading.gravity > 0.0)) {
+    return Error::kOutOfRange;
+  }
+  // G lies above the centre of buoyancy in x (it floats at these draughts) and at the solid KG (contract §2).
+  const Position g{hydrostatics.lcb, 0.0, hydrostatics.kg};
+  for (const Quantity motion : {Quantity::kSurge, Quantity::kSway, Quantity::kHeave, Quantity::kRoll,
+                                Quantity::kPitch, Quantity::kYaw}) {
+    QS_CHECK(out.channels.push_back({.quantity = motion}));
+  }
+  list_points(hull, g, out);
+  if (const Status status = list_slamming(hull, loading, g, out); !status) {
+    return status;
+  }
+  if (const Status status = list_freeboard(hull, loading, g, out); !status) {
+    return status;
+  }
+  return all_finite(out) ? Status() : Status(Error::kNotFinite);
+}
+
+std::size_t find_channel(const Watch& watch, Quantity quantity, std::uint8_t place) {
+  const auto* const found = std::find_if(
+      watch.channels.begin(), watch.channels.end(),
+      [&](const Channel& channel) { return channel.quantity == quantity && channel.place == place; });
+  return static_cast<std::size_t>(found - watch.channels.begin());
+}
+
+std::complex<double> channel_response(const Channel& channel, const MotionTransfer& transfer,
+                                      double wave_number, EncounterAngle mu, double gravity) {
+  if (channel.quantity <= Quantity::kYaw) {
+    return transfer.motion[static_cast<std::size_t>(channel.quantity)];
+  }
+  if (is_relative_motion(channel.quantity)) {
+    return relative_motion(transfer, channel.position, wave_number, mu);
+  }
+  return acceleration(channel, transfer, gravity);
+}
+
+void channel_energies(const Channel& channel, std::span<const MotionTransfer> transfers,
+                      std::span<const double> wave_numbers, EncounterAngle mu, double gravity,
+                      std::span<double> out) {
+  QS_CHECK(transfers.size() == out.size() && wave_numbers.size() == out.size());
+  for (std::size_t f = 0; f < out.size(); ++f) {
+    out[f] = std::norm(channel_response(channel, transfers[f], wave_numbers[f], mu, gravity));
+  }
+}
+
+}  // namespace quickstrip
