@@ -1,0 +1,45 @@
+// Added mass and damping of Lewis sections from a table, by second-degree Lagrange interpolation in breadth-
+// draught ratio, fullness and frequency, as SEAQUICK does [Journee1992] §4. What is interpolated are smooth
+// quantities, scaled by closed forms (core/hull/section_coordinates.hpp): added masses (heave less its
+// logarithm) and signed wave amplitudes, so that b33, b22, b44 >= 0 and b24^2 = b22 b44 hold exactly.
+// Assumes deep water and what the Lewis form assumes. Range: 0.05 <= H0 <= 10, sigma from the re-entrant
+// limit to the upper limit of the Lewis form, every frequency: exact limits at zero, asymptotes above the
+// last node. Expected error: see the README; `quickstrip-section-table --accuracy` measures it. Cost: a
+// column about 0.3 us, coefficients about 0.2 us; 0.33 MB of constants.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/base/interpolation.hpp"
+#include "core/base/result.hpp"
+#include "core/hull/section_coefficients.hpp"
+#include "core/hull/section_coordinates.hpp"
+
+namespace quickstrip {
+
+/// The position of a section in the table and its scales; made by section_table_column.
+struct SectionTableColumn {
+  LagrangeStencil h0;
+  LagrangeStencil fullness;
+  SectionScales scales;
+  LewisAddedMass lateral_at_infinity;
+  double kappa_per_xi = 0.0;
+};
+
+/// kNotFinite; kOutOfRange outside the table.
+Result<SectionTableColumn> section_table_column(double h0, double sigma);
+
+/// xi = omega^2 B / 2g >= 0, finite, of the section used. a33 grows as -ln xi towards xi = 0 and is given for
+/// xi = 1e-12 below that. Normalised as section_coefficients.hpp says.
+SectionCoefficients section_coefficients(const SectionTableColumn& column, double xi);
+
+/// The checksum over the data as they are in memory. Cost: about 1 ms.
+bool section_table_is_intact();
+std::uint32_t section_table_version();
+std::uint64_t section_table_checksum();
+std::size_t section_table_numbers();  // stored, nodes included
+std::size_t section_table_bytes();
+
+}  // namespace quickstrip

@@ -1,0 +1,54 @@
+// Added mass and damping of Lewis sections heaving, swaying and rolling in the surface of deep water:
+// wave-free multipoles and a source (dipole) at O, as Ursell 1949, Tasai 1961 and de Jong 1973, the body
+// condition met in a variational (Galerkin) form. The result is stationary: its error is the square of the
+// potential's. Assumes linear theory, deep water, a section that is symmetric and not re-entrant. Range: H0
+// 0.05 ... 10, a3 >= -1/3, xi 1e-4 ... 40. Error with the adaptive form: 2e-4 of an independent
+// boundary-element solution (tests/sections). Cost: about 0.1 ms at 16 multipoles, 3 ms at 128.
+// Notation and signs: core/NOTATION.md; potentials are for the time factor exp(-i omega t).
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/hull/lewis_section.hpp"
+#include "core/hull/section_coefficients.hpp"
+
+namespace quickstrip {
+
+/// Everything is in units of the mapping scale M, rho = g = 1: added masses M^2, M^3, M^4, frequency
+/// kappa = K M with K = omega^2 / g. damping_kj = b_kj / (rho omega).
+struct SectionSolution {
+  double a22 = 0.0;
+  double a24 = 0.0;
+  double a44 = 0.0;
+  double a33 = 0.0;
+  double damping22 = 0.0;
+  double damping24 = 0.0;
+  double damping44 = 0.0;
+  double damping33 = 0.0;
+  // Signed amplitudes of the radiated waves (Kochin functions without their common phase), from the strength
+  // of the source and of the dipole: damping33 = h3^2, damping22 = h2^2, damping24 = h2 h4, damping44 = h4^2.
+  double h2 = 0.0;
+  double h4 = 0.0;
+  double h3 = 0.0;
+  int num_multipoles = 0;
+  bool converged = true;
+};
+
+inline constexpr int kMaxMultipoles = 256;
+
+/// kappa > 0, finite; 2 <= num_multipoles <= kMaxMultipoles, in each of the two problems.
+SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_multipoles);
+
+/// Doubles the multipoles, from 12, until every value moves by less than `tolerance` (24 and 44 of the 22-44
+/// mean, damping of 1 % of the added mass at least); not converged at kMaxMultipoles: says so.
+SectionSolution solve_lewis_form_adaptive(double a1, double a3, double kappa, double tolerance = 1e-4);
+
+/// kappa = K M of xi = K B/2 for this section.
+double kappa_of_xi(const LewisSection& section, double xi);
+
+SectionCoefficients normalised(const LewisSection& section, double xi, const SectionSolution& solution);
+
+/// The contract's coefficients by the direct solution; xi > 0.
+SectionCoefficients solve_section(const LewisSection& section, double xi, int num_multipoles);
+SectionCoefficients solve_section(const LewisSection& section, double xi);  // adaptive
+
+}  // namespace quickstrip
