@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/check.hpp"
+#include "msgs/convert/ranges.hpp"
 #include "msgs/convert/units.hpp"
 #include "msgs/files/hull_file_places.hpp"
 #include "msgs/files/toml_table.hpp"
@@ -95,23 +96,17 @@ void read_stations(const TomlTable& root, Hull& hull) {
   }
 }
 
-double highest_deck(const Hull& hull) {
-  double z = -1.0;  // no offsets at all
-  for (const Station& station : hull.stations) {
-    if (!station.is_minimal()) {
-      z = std::max(z, station.offsets.back().z);
-    }
-  }
-  return z;
+NumberRange with_unit(Range range, std::string_view unit) {
+  return {range.from, range.to, unit};
 }
 
 void read_draughts(const TomlTable& table, const Hull& hull, Loading& loading) {
-  constexpr NumberRange kDraughts{0.01, 40.0, "m above the base line"};
-  loading.draught_aft = table.number("draught_aft_m", kDraughts);
-  loading.draught_fwd = table.number("draught_fwd_m", kDraughts);
+  const NumberRange draughts = with_unit(kDraught_m, "m above the base line");
+  loading.draught_aft = table.number("draught_aft_m", draughts);
+  loading.draught_fwd = table.number("draught_fwd_m", draughts);
   const double deck = highest_deck(hull);
   for (const char* key : {"draught_aft_m", "draught_fwd_m"}) {
-    const double draught = table.number(key, kDraughts);
+    const double draught = table.number(key, draughts);
     if (deck > 0.0 && !(draught < deck)) {
       table.refuse(key, fmt::format("less than the height of the highest offset, {:g} m, is wanted", deck));
     }
@@ -128,18 +123,20 @@ void read_loading(const TomlTable& root, Hull& hull) {
                     "water_density_kg_m3", "viscosity_m2_s", "gravity_m_s2"});
   Loading& loading = hull.loading;
   read_draughts(table, hull, loading);
-  loading.kg = table.number("kg_m", {0.001, 2.0 * hull.breadth, "m above the base line"});
+  loading.kg = table.number("kg_m", with_unit(kg_range_m(hull), "m above the base line"));
   loading.free_surface_correction =
-      table.optional_number("free_surface_correction_m", {0.0, 0.5 * hull.breadth, "m"});
-  loading.gm = table.optional_number("gm_m", {0.001, 2.0 * hull.breadth, "m (GM must be positive)"});
-  loading.roll_gyradius = table.number("roll_gyradius_m", {0.15 * hull.breadth, 0.75 * hull.breadth, "m"});
-  loading.pitch_gyradius = table.number("pitch_gyradius_m", {0.1 * hull.lpp, 0.5 * hull.lpp, "m"});
-  loading.yaw_gyradius = table.number("yaw_gyradius_m", {0.1 * hull.lpp, 0.5 * hull.lpp, "m"});
-  loading.measured_roll_period = table.optional_number("measured_roll_period_s", {0.5, 80.0, "s"});
-  loading.water_density = table.number_or("water_density_kg_m3", {950.0, 1060.0, "kg/m3"}, kSeaWaterDensity);
+      table.optional_number("free_surface_correction_m", with_unit(free_surface_range_m(hull), "m"));
+  loading.gm = table.optional_number("gm_m", with_unit(gm_range_m(hull), "m (GM must be positive)"));
+  loading.roll_gyradius = table.number("roll_gyradius_m", with_unit(roll_gyradius_range_m(hull), "m"));
+  loading.pitch_gyradius = table.number("pitch_gyradius_m", with_unit(long_gyradius_range_m(hull), "m"));
+  loading.yaw_gyradius = table.number("yaw_gyradius_m", with_unit(long_gyradius_range_m(hull), "m"));
+  loading.measured_roll_period =
+      table.optional_number("measured_roll_period_s", with_unit(kRollPeriod_s, "s"));
+  loading.water_density =
+      table.number_or("water_density_kg_m3", with_unit(kWaterDensity_kg_m3, "kg/m3"), kSeaWaterDensity);
   loading.viscosity =
-      table.number_or("viscosity_m2_s", {0.5e-6, 2.5e-6, "m2/s"}, kSeaWaterKinematicViscosity);
-  loading.gravity = table.number_or("gravity_m_s2", {9.7, 9.9, "m/s2"}, kStandardGravity);
+      table.number_or("viscosity_m2_s", with_unit(kViscosity_m2_s, "m2/s"), kSeaWaterKinematicViscosity);
+  loading.gravity = table.number_or("gravity_m_s2", with_unit(kGravity_m_s2, "m/s2"), kStandardGravity);
 }
 
 void read_roll_damping(const TomlTable& root, Hull& hull) {
