@@ -1,0 +1,28 @@
+// Steps that both ways of placing a sea on the grid have in common. Internal to core/sea.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
+#include "core/sea/sea_energy.hpp"
+
+namespace quickstrip {
+
+// Less than this share of a system on the nodes is no basis for scaling: the end node takes it whole.
+inline constexpr double kLeastShare = 1e-6;
+
+using GridOfSystem = std::array<std::array<double, kMaxFrequencies>, kNumDirections>;
+
+/// 3 ... kMaxFrequencies nodes, finite, positive, increasing. Errors: kNotFinite, kOutOfRange.
+Status check_nodes(std::span<const double> omega);
+
+/// Everything zero, no systems.
+void clear_grid(std::size_t num_frequencies, SeaEnergy& out);
+
+/// Totals over the systems, height, lost tail. m0 of the input > 0; `on_nodes`: what of it lay on the nodes.
+void sum_up(double m0, double on_nodes, SeaEnergy& out);
+
+}  // namespace quickstrip
