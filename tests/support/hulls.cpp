@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "msgs/files/hull_file.hpp"
 
 namespace quickstrip::test {
 namespace {
@@ -90,6 +93,14 @@ Hull wigley_hull(int which, std::size_t stations, std::size_t points) {
     const double x = kWigleyLength * static_cast<double>(i) / static_cast<double>(stations - 1);
     QS_CHECK(hull.stations.push_back(wigley_station(which, x, points)));
   }
+  return hull;
+}
+
+Hull s175() {
+  Hull hull;
+  const FileStatus status =
+      read_hull_file(std::string(QUICKSTRIP_SOURCE_DIR) + "/sim/hulls/s175.hull.toml", hull);
+  QS_CHECK(status.ok());
   return hull;
 }
 

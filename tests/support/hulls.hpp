@@ -22,6 +22,9 @@ Hull wigley_hull(int which, std::size_t stations = 41, std::size_t points = 41);
 /// Half-breadth of the formula; X from amidships, Z depth below the waterline, both in m.
 double wigley_half_breadth(int which, double from_midship, double depth);
 
+/// The S-175 container ship of sim/hulls/s175.hull.toml, T 9.5 m, KG 9.55 m.
+Hull s175();
+
 /// The same ship `scale` times as large, by Froude's law: lengths x scale, speeds and times x sqrt(scale),
 /// viscosity x scale^1.5, density and gravity unchanged.
 Hull scaled(const Hull& hull, double scale);

@@ -1,0 +1,93 @@
+// quickstrip-hull check: everything an architect wants to know about a hull file before it goes on board.
+// A file that passes is one that the advisor will load.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "core/hull/imo_roll_period.hpp"
+#include "msgs/convert/units.hpp"
+#include "sim/hull_tool/check_remarks.hpp"
+#include "sim/hull_tool/commands.hpp"
+#include "sim/hull_tool/csv.hpp"
+
+namespace quickstrip::hull_tool {
+namespace {
+
+void line(std::string& text, const char* label, const std::string& value) {
+  text += fmt::format("{:<22}{}\n", label, value);
+}
+
+void report_stations(const FloatingHull& ship, std::string& text) {
+  const Hull& hull = ship.hull;
+  std::size_t minimal = 0;
+  for (const Station& station : hull.stations) {
+    minimal += station.is_minimal() ? 1U : 0U;
+  }
+  line(text, "hull", fmt::format("{} ({})", hull.name.view(), ship.file));
+  line(text, "lpp, breadth", fmt::format("{:g} m, {:g} m", hull.lpp, hull.breadth));
+  line(text, "stations",
+       fmt::format("{}, x {:g} ... {:g} m; {} by offsets, {} by breadth, draught and area",
+                   hull.stations.size(), hull.stations.front().x, hull.stations.back().x,
+                   hull.stations.size() - minimal, minimal));
+  line(text, "in the water",
+       fmt::format("{}, x {:g} ... {:g} m", ship.sections.size(), ship.sections.front().x,
+                   ship.sections.back().x));
+  std::size_t submerged = 0;
+  for (const ImmersedSection& section : ship.sections) {
+    submerged += section.breadth > 0.0 ? 0U : 1U;
+  }
+  if (submerged > 0) {
+    line(text, "wholly submerged", fmt::format("{} (bulb)", submerged));
+  }
+}
+
+void report_hydrostatics(const FloatingHull& ship, std::string& text) {
+  const Hydrostatics& h = ship.hydrostatics;
+  const Loading& loading = ship.loading;
+  line(text, "draught", fmt::format("{:g} m aft, {:g} m fwd", loading.draught_aft, loading.draught_fwd));
+  line(text, "displacement",
+       fmt::format("{:.6g} t ({:.6g} m3 at {:g} kg/m3)", h.displacement / 1000.0, h.volume,
+                   loading.water_density));
+  line(text, "LCB, LCF", fmt::format("{:.3f} m, {:.3f} m from the aft perpendicular", h.lcb, h.lcf));
+  line(text, "KB, BM, KG", fmt::format("{:.3f} m, {:.3f} m, {:.3f} m", h.kb, h.bm, h.kg));
+  line(text, "GM", fmt::format("{:.3f} m, longitudinal {:.3f} m", h.gm, h.gml));
+  line(text, "CB, CM, CWP", fmt::format("{:.4f}, {:.4f}, {:.4f}", h.cb, h.cm, h.cwp));
+  const double draught = 0.5 * (loading.draught_aft + loading.draught_fwd);
+  if (const auto period = imo_roll_period(ship.hull.lpp, ship.hull.breadth, draught, h.gm)) {
+    line(text, "roll period", fmt::format("about {:.3g} s by the IS Code's formula", *period));
+  }
+}
+
+void report_grid(const FloatingHull& ship, std::string& text) {
+  const GridDefinition& grid = ship.hull.grid;
+  line(text, "grid",
+       fmt::format("{:.3g} ... {:.3g} kn by {:.3g}, headings by {:.3g} degrees", to_knots(grid.speed_from),
+                   to_knots(grid.speed_to), to_knots(grid.speed_step), degrees(grid.heading_step)));
+}
+
+void run(const std::string& file) {
+  const auto ship = float_hull(file);
+  std::string text;
+  report_stations(*ship, text);
+  report_hydrostatics(*ship, text);
+  report_grid(*ship, text);
+  for (const std::string& remark : warnings_of(*ship)) {
+    line(text, "warning", remark);
+  }
+  for (const std::string& remark : unwatched_of(*ship)) {
+    line(text, "not watched", remark);
+  }
+  print_result(text + "ok\n");
+}
+
+}  // namespace
+
+void add_check(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("check", "Is this file one that the advisor will load? Ends with \"ok\"");
+  const auto file = std::make_shared<std::string>();
+  add_hull_argument(*command, *file);
+  command->callback([file] { run(*file); });
+}
+
+}  // namespace quickstrip::hull_tool

@@ -1,0 +1,19 @@
+// One function a subcommand, each in a file of its own (check.cpp, ...). A function adds its subcommand with
+// its options and sets the callback that runs it: results go to standard output through print_result
+// (csv.hpp), messages to standard error; bad input throws InputError, wrong use CLI::ValidationError.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace quickstrip::hull_tool {
+
+void add_check(CLI::App& app);
+void add_hydrostatics(CLI::App& app);
+
+/// Every subcommand, in the order of the help text.
+inline void add_commands(CLI::App& app) {
+  add_check(app);
+  add_hydrostatics(app);
+}
+
+}  // namespace quickstrip::hull_tool

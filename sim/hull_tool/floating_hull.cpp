@@ -1,0 +1,72 @@
+#include "sim/hull_tool/floating_hull.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "msgs/files/hull_file.hpp"
+#include "sim/hull_tool/input_error.hpp"
+#include "sim/hull_tool/list_option.hpp"
+
+namespace quickstrip::hull_tool {
+namespace {
+
+void add_optional_number(CLI::App& command, const std::string& name, std::optional<double>& value,
+                         ListRange range, const std::string& description) {
+  const auto parse = [name, range, &value](const std::string& text) {
+    const auto values = parse_list(name, text, range);
+    if (values.size() != 1) {
+      throw CLI::ValidationError(name, fmt::format("{}: one number is wanted", text));
+    }
+    value = values.front();
+  };
+  command.add_option_function<std::string>(name, parse, description)->type_name("X");
+}
+
+Loading loading_of(const FloatingHull& ship, const LoadingOptions& options) {
+  Loading loading = ship.hull.loading;
+  loading.draught_aft = options.draught_aft.value_or(loading.draught_aft);
+  loading.draught_fwd = options.draught_fwd.value_or(loading.draught_fwd);
+  loading.kg = options.kg.value_or(loading.kg);
+  if (options.any() && loading.gm) {
+    fmt::print(stderr, "note: {}: loading.gm_m = {:g} belongs to the file's loading; left out\n", ship.file,
+               *loading.gm);
+    loading.gm.reset();
+  }
+  return loading;
+}
+
+}  // namespace
+
+void add_hull_argument(CLI::App& command, std::string& file) {
+  command.add_option("HULL", file, "hull file (*.hull.toml)")->required()->type_name("");
+}
+
+void add_loading_options(CLI::App& command, LoadingOptions& options) {
+  add_optional_number(command, "--draught-aft-m", options.draught_aft, {0.001, 100.0},
+                      "draught at the aft perpendicular above base [m]; default: the file's");
+  add_optional_number(command, "--draught-fwd-m", options.draught_fwd, {0.001, 100.0},
+                      "draught at the forward perpendicular above base [m]; default: the file's");
+  add_optional_number(command, "--kg-m", options.kg, {0.001, 200.0},
+                      "height of the centre of gravity above base, solid [m]; default: the file's");
+}
+
+std::unique_ptr<FloatingHull> float_hull(const std::string& file, const LoadingOptions& options) {
+  auto ship = std::make_unique<FloatingHull>();  // 300 kB: not on the stack
+  ship->file = file;
+  if (const FileStatus status = read_hull_file(file, ship->hull); !status) {
+    throw InputError{status.line()};
+  }
+  ship->loading = loading_of(*ship, options);
+  if (const Status status = immerse(ship->hull, ship->loading, ship->sections); !status) {
+    throw InputError{explain(status.error(), *ship, options)};
+  }
+  const auto result = hydrostatics(ship->hull, ship->loading, ship->sections);
+  if (!result) {
+    throw InputError{explain(result.error(), *ship, options)};
+  }
+  ship->hydrostatics = *result;
+  return ship;
+}
+
+}  // namespace quickstrip::hull_tool

@@ -1,0 +1,181 @@
+// The program itself: exit codes, streams, and what a script reads.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+const std::string kHulls = std::string(QUICKSTRIP_SOURCE_DIR) + "/sim/hulls/";
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::filesystem::path scratch(const std::string& name) {
+  return std::filesystem::temp_directory_path() / ("qs_hull_" + std::to_string(getpid()) + "_" + name);
+}
+
+Outcome run(const std::string& arguments) {
+  const auto out = scratch("out");
+  const auto err = scratch("err");
+  const std::string command =
+      std::string(QUICKSTRIP_HULL_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+  const int status = std::system(command.c_str());
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return outcome;
+}
+
+// The S-175 with one line of its file replaced; the path of the new file.
+class ChangedHull {
+ public:
+  ChangedHull(const std::string& from, const std::string& to) : path_(scratch("changed.hull.toml")) {
+    std::string text = content_of(kHulls + "s175.hull.toml");
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    std::ofstream(path_) << text.replace(at, from.size(), to);
+  }
+  ~ChangedHull() { std::filesystem::remove(path_); }
+  ChangedHull(const ChangedHull&) = delete;
+  ChangedHull& operator=(const ChangedHull&) = delete;
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void expect_one_line_refusal(const Outcome& outcome, std::initializer_list<const char*> words) {
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  for (const char* word : words) {
+    EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in " << outcome.err;
+  }
+}
+
+TEST(HullTool, HelpAndVersionGoToStandardOutputAndExitZero) {
+  for (const char* arguments : {"--help", "--version", "check --help", "hydrostatics --help"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << arguments;
+    EXPECT_NE(outcome.out, "") << arguments;
+    EXPECT_EQ(outcome.err, "") << arguments;
+  }
+}
+
+TEST(HullTool, WrongUseExitsTwoAndPrintsNothingOnStandardOutput) {
+  const std::string s175 = kHulls + "s175.hull.toml";
+  for (const std::string& arguments :
+       {std::string(), std::string("nonsense"), std::string("check"), "check " + s175 + " more",
+        "hydrostatics " + s175 + " --kg-m nan", "hydrostatics " + s175 + " --kg-m -1",
+        "hydrostatics " + s175 + " --kg-m 9,10", "hydrostatics " + s175 + " --format xml",
+        "hydrostatics " + s175 + " --colour"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_NE(outcome.err, "") << arguments;
+  }
+}
+
+TEST(HullTool, CheckOfTheS175EndsWithOk) {
+  for (const char* name : {"s175", "s175_minimal", "shortest"}) {
+    const Outcome outcome = run("check " + kHulls + name + ".hull.toml");
+    EXPECT_EQ(outcome.exit_code, 0) << name;
+    EXPECT_EQ(outcome.err, "") << name;
+    EXPECT_EQ(outcome.out.substr(outcome.out.size() - 4), "\nok\n") << name;
+  }
+}
+
+TEST(HullTool, CheckSaysWhatIsNotWatchedAndWhatIsDoubtful) {
+  const std::string out = run("check " + kHulls + "shortest.hull.toml").out;
+  EXPECT_NE(out.find("free_surface_correction_m is absent"), std::string::npos);
+  EXPECT_NE(out.find("shipping of water: no [[freeboard]]"), std::string::npos);
+  EXPECT_NE(out.find("propeller emergence: no [propeller]"), std::string::npos);
+  const ChangedHull wide("breadth_m = 25.4", "breadth_m = 60.0");
+  const std::string remarks = run("check " + wide.path()).out + run("check " + wide.path()).err;
+  EXPECT_NE(remarks.find("roll_gyradius_m"), std::string::npos) << remarks;  // refused: below 0.15 B
+}
+
+TEST(HullTool, HydrostaticsHasTheKeysOfTheContractAndTheFiguresOfTheS175) {
+  const Outcome outcome = run("hydrostatics " + kHulls + "s175.hull.toml");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out.substr(0, outcome.out.find('\n')),
+            "displacement_t,lcb_m,kb_m,gm_m,gml_m,lcf_m,waterplane_area_m2,cb,cm,cwp,roll_period_s");
+  const std::string row = outcome.out.substr(outcome.out.find('\n') + 1);
+  std::array<double, 4> figures{};
+  ASSERT_EQ(std::sscanf(row.c_str(), "%lf,%lf,%lf,%lf", &figures[0], &figures[1], &figures[2], &figures[3]),
+            4);
+  EXPECT_NEAR(figures[0], 24616.0, 25.0);  // 0.1 %, as in tests/hull
+  EXPECT_NEAR(figures[1], 84.953, 0.085);
+  EXPECT_NEAR(figures[2], 5.207, 0.005);
+  EXPECT_NEAR(figures[3], 0.994, 0.001);
+}
+
+TEST(HullTool, LoadingOptionsReplaceTheFilesLoading) {
+  const std::string s175 = kHulls + "s175.hull.toml";
+  const std::string by_option =
+      run("hydrostatics " + s175 + " --kg-m 9 --draught-aft-m 9 --draught-fwd-m 8.5").out;
+  const ChangedHull aft("draught_aft_m = 9.5", "draught_aft_m = 9.0");
+  EXPECT_NE(by_option, run("hydrostatics " + aft.path()).out);
+  EXPECT_EQ(run("hydrostatics " + s175 + " --draught-aft-m 9").out, run("hydrostatics " + aft.path()).out);
+}
+
+TEST(HullTool, JsonHasTheSameKeysAndNullForWhatIsNotKnown) {
+  const Outcome outcome = run("hydrostatics --format json " + kHulls + "s175.hull.toml");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("\"displacement_t\": 24615."), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\"cwp\": "), std::string::npos);
+}
+
+TEST(HullTool, ShipThatIsUnstableIsRefusedWithTheGreatestKg) {
+  const ChangedHull top_heavy("kg_m = 9.55", "kg_m = 12.0");
+  expect_one_line_refusal(
+      run("check " + top_heavy.path()),
+      {"changed.hull.toml: loading.kg_m = 12: GM is not positive", "-1.456 m", "less than 10.544 m"});
+  expect_one_line_refusal(run("hydrostatics --kg-m 12 " + kHulls + "s175.hull.toml"),
+                          {"--kg-m = 12", "10.544"});
+}
+
+TEST(HullTool, OvertoppedDeckAndOtherDraughtOfAMinimalFormAreRefusedByName) {
+  expect_one_line_refusal(run("hydrostatics --draught-fwd-m 11.5 " + kHulls + "s175.hull.toml"),
+                          {"s175.hull.toml: --draught-fwd-m = 11.5", "x_m = 140", "11 m"});
+  expect_one_line_refusal(run("hydrostatics --draught-aft-m 9 " + kHulls + "s175_minimal.hull.toml"),
+                          {"--draught-aft-m = 9", "9.5 m alone"});
+  const ChangedHull deep("draught_fwd_m = 9.5", "draught_fwd_m = 10.9");
+  EXPECT_EQ(run("check " + deep.path()).exit_code, 0);
+}
+
+TEST(HullTool, MissingFileAndUnknownKeyAreRefused) {
+  expect_one_line_refusal(run("check nowhere.hull.toml"), {"nowhere.hull.toml"});
+  const ChangedHull misspelt("kg_m = 9.55", "kgm = 9.55");
+  expect_one_line_refusal(run("check " + misspelt.path()), {"kgm", "kg_m"});
+}
+
+TEST(HullTool, FullDiskIsSaidAndExitsOne) {
+  const auto err = scratch("err");
+  const std::string command = std::string(QUICKSTRIP_HULL_PROGRAM) + " check " + kHulls +
+                              "s175.hull.toml >/dev/full 2>" + err.string();
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_NE(content_of(err).find("standard output"), std::string::npos);
+  std::filesystem::remove(err);
+}
+
+}  // namespace
