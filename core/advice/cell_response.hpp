@@ -11,8 +11,10 @@
 
 #include "core/advice/advice.hpp"
 #include "core/advice/criteria.hpp"
+#include "core/advice/grid.hpp"
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
 #include "core/base/static_vector.hpp"
 
 namespace quickstrip {
@@ -40,5 +42,9 @@ struct CellResponse {
   Cell cell;
   StaticVector<QuantityResponse, kMaxChannels> quantities;
 };
+
+/// Any heading; speed within the solved speeds. Cost: that of response_moments.
+/// Errors: kSpeedOutOfGrid, kNotFinite, kTooMany.
+Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out);
 
 }  // namespace quickstrip

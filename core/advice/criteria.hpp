@@ -6,7 +6,9 @@
 
 #include "core/base/capacity.hpp"
 #include "core/base/name.hpp"
+#include "core/base/result.hpp"
 #include "core/base/static_vector.hpp"
+#include "core/hull/hull.hpp"
 #include "core/response/quantity.hpp"
 
 namespace quickstrip {
@@ -18,7 +20,7 @@ enum class Statistic : std::uint8_t { kRms, kSignificant, kProbability, kPerHour
 inline constexpr std::uint8_t kNowhere = 255;
 
 struct Criterion {
-  Name name;  // "roll", "slamming at bow"
+  Name name{};  // "roll", "slamming at bow"
   Quantity quantity = Quantity::kRoll;
   std::uint8_t place = 0;  // index into the hull's points, slamming stations or freeboard points
   Statistic statistic = Statistic::kRms;
@@ -28,5 +30,11 @@ struct Criterion {
 };
 
 using Criteria = StaticVector<Criterion, kMaxCriteria>;
+
+/// Whether the profile makes sense for this hull: every place exists or is kNowhere; motions and
+/// accelerations are judged by RMS or significant amplitude, slamming and deck wetness by probability or rate
+/// per hour; limits are finite and above zero, a probability below one; caution fractions in (0, 1]. Errors:
+/// kNotFinite, kOutOfRange.
+Status check_criteria(const Criteria& criteria, const Hull& hull);
 
 }  // namespace quickstrip

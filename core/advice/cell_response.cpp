@@ -1,0 +1,63 @@
+#include "core/advice/cell_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+#include "core/response/deck_wetness.hpp"
+#include "core/response/moments.hpp"
+#include "core/response/short_term.hpp"
+#include "core/response/slamming.hpp"
+
+namespace quickstrip {
+namespace {
+
+QuantityResponse quantity_response(const Channel& channel, const ResponseMoments& moments) {
+  QuantityResponse out{.quantity = channel.quantity,
+                       .place = channel.place,
+                       .rms = std::sqrt(moments.m0),
+                       .significant = significant_amplitude(moments.m0),
+                       .t1 = mean_period(moments.m0, moments.m1),
+                       .t2 = zero_crossing_period(moments.m0, moments.m2),
+                       .low_encounter_share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0,
+                       .variance = moments.m0_by_system};
+  if (channel.quantity == Quantity::kSlamming) {
+    out.probability = slamming_probability(channel.level, channel.threshold_velocity, moments.m0, moments.m2);
+    out.per_hour = slams_per_hour(channel.level, channel.threshold_velocity, moments.m0, moments.m2);
+  } else if (channel.quantity == Quantity::kDeckWetness) {
+    out.probability = wetness_probability(channel.level, moments.m0);
+    out.per_hour = wetnesses_per_hour(channel.level, moments.m0, moments.m2);
+  }
+  return out;
+}
+
+std::uint8_t largest_system(const ResponseMoments& moments) {
+  const auto& parts = moments.m0_by_system;
+  const auto* const largest = std::max_element(parts.begin(), parts.end());
+  return *largest > 0.0 ? static_cast<std::uint8_t>(largest - parts.begin()) : kNoSystem;
+}
+
+}  // namespace
+
+Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out) {
+  std::array<ResponseMoments, kMaxChannels> all{};
+  const auto moments = std::span(all).first(inputs.watch.channels.size());
+  const Status status = response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments);
+  if (!status) {
+    return status;
+  }
+  out.heading = heading;
+  out.speed = speed;
+  out.num_systems = inputs.sea.num_systems;
+  out.cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, speed));
+  if (out.cell.governing != kNoCriterion) {
+    out.cell.governing_system = largest_system(moments[inputs.channels.of_criterion[out.cell.governing]]);
+  }
+  out.quantities.clear();
+  for (std::size_t c = 0; c < moments.size(); ++c) {
+    QS_CHECK(out.quantities.push_back(quantity_response(inputs.watch.channels[c], moments[c])));
+  }
+  return {};
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,67 @@
+// The cycle: the verdict on every speed and heading of the grid.
+//
+// Variance of a cell = sum over wave directions and wave frequencies of |H|^2 times the wave energy, all
+// systems together; m2 with omega_e^2, for relative motion only. The sea is never folded into encounter
+// frequency. For one speed at a time the energies |H|^2 of the channels that criteria and columns need are
+// laid out by relative direction in the workspace and then applied to every heading: wave direction = heading
+// + pi - mu. Sums run in double, in a fixed order (eight partial sums): same bits on every run. Cost: speeds
+// x headings x 72 directions with energy x 48 frequencies x rows multiply-adds, rows = needed channels +
+// those with m2; measured for the S-175's default criteria: see tests/bench and README. Memory: the
+// workspace, 2.5 MB; static.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/advice/advice.hpp"
+#include "core/advice/criteria.hpp"
+#include "core/advice/verdict.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
+#include "core/base/static_vector.hpp"
+#include "core/response/watch.hpp"
+#include "core/sea/sea_energy.hpp"
+#include "core/strip/transfer_functions.hpp"
+
+namespace quickstrip {
+
+/// What the verdicts rest on; references live as long as the call.
+struct GridInputs {
+  const TransferFunctions& transfer;
+  const Watch& watch;
+  const Criteria& criteria;
+  const CriteriaChannels& channels;
+  const SeaEnergy& sea;
+  std::size_t num_headings = kMaxHeadings;  // divides kNumDirections
+  double lpp = 0.0;                         // m, for the Froude number
+  double min_steerage_speed = 0.0;          // m/s
+  std::uint32_t quality = 0;                // bits of the hull and its loading
+};
+
+/// One energy per relative direction and frequency: |H|^2 of a channel, or |H|^2 omega_e^2.
+struct EnergyRow {
+  std::size_t channel = 0;
+  bool is_velocity = false;
+};
+inline constexpr std::size_t kMaxEnergyRows = kMaxChannels + kMaxSlammingStations + kMaxFreeboardPoints;
+
+/// Scratch of sweep_grid; its contents mean nothing between calls. 2.5 MB: static.
+struct GridWorkspace {
+  using ByFrequency = std::array<double, kMaxFrequencies>;
+  using ByDirection = std::array<ByFrequency, kNumDirections>;
+  StaticVector<EnergyRow, kMaxEnergyRows> rows;
+  std::array<ByDirection, kMaxEnergyRows> energy{};      // of one speed, by relative direction
+  ByDirection low_encounter{};                           // 1 below the encounter-frequency floor, else 0
+  std::array<bool, kNumDirections> has_low_encounter{};  // by relative direction
+  StaticVector<std::size_t, kNumDirections> directions;  // compass directions with wave energy
+};
+
+/// Speeds of the grid are those of the transfer functions. Errors: kEmptySpectrum (no energy anywhere),
+/// kOutOfRange (num_headings), kTooMany (sea and transfer functions have different frequencies).
+Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out);
+
+/// Quality and hazard bits that a cell has before anything is computed.
+CellCircumstances circumstances(const GridInputs& inputs, double speed);
+
+}  // namespace quickstrip

@@ -1,0 +1,211 @@
+#include "core/advice/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+#include "core/response/deck_wetness.hpp"
+#include "core/response/short_term.hpp"
+#include "core/response/slamming.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr double kExtremeRoll = radians(10.0);  // RMS; linear roll damping is not valid above
+constexpr double kLowEncounterWorthSaying = 0.01;
+
+bool is_bridge_vertical(const Channel& channel) {
+  return channel.quantity == Quantity::kVerticalAcceleration && channel.role == PointRole::kBridge;
+}
+
+/// Drawn in the picture whatever the criteria are.
+bool is_column(const Channel& channel) {
+  return channel.quantity == Quantity::kRoll || channel.quantity == Quantity::kSlamming ||
+         channel.quantity == Quantity::kDeckWetness || is_bridge_vertical(channel);
+}
+
+/// q of P = exp(-q): a freeboard is a slamming station without threshold velocity.
+double event_exponent(const Channel& channel, const ResponseMoments& moments) {
+  return slamming_exponent(channel.level, channel.threshold_velocity, moments.m0, moments.m2);
+}
+
+double event_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments) {
+  double probability = criterion.limit;
+  if (criterion.statistic == Statistic::kPerHour) {
+    const double per_hour = oscillations_per_hour(moments.m0, moments.m2);
+    if (!(per_hour > criterion.limit)) {
+      return static_cast<double>(kMarginUnbounded);  // fewer oscillations than events allowed
+    }
+    probability = criterion.limit / per_hour;
+  }
+  return std::sqrt(event_exponent(channel, moments) / -std::log(probability));
+}
+
+struct Tally {
+  bool any_exceeded = false;
+  bool any_caution = false;
+  bool any_unwatched = false;
+  bool all_finite = true;
+  double smallest_margin = static_cast<double>(kMarginUnbounded);
+};
+
+void judge_criterion(const Criterion& criterion, std::size_t index, const Channel& channel,
+                     const ResponseMoments& moments, Tally& tally, Cell& cell) {
+  const double value = criterion_value(criterion, channel, moments);
+  const double margin = height_margin(criterion, channel, moments);
+  tally.all_finite = tally.all_finite && std::isfinite(value) && std::isfinite(margin);
+  cell.values[index] = static_cast<float>(value);
+  tally.any_exceeded = tally.any_exceeded || value > criterion.limit;
+  tally.any_caution = tally.any_caution || value > criterion.caution_fraction * criterion.limit;
+  if (cell.governing == kNoCriterion || margin < tally.smallest_margin) {
+    cell.governing = static_cast<std::uint8_t>(index);
+    tally.smallest_margin = margin;
+  }
+  const double share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0;
+  cell.low_encounter_share = std::max(cell.low_encounter_share, static_cast<float>(share));
+}
+
+Verdict verdict_of(const Tally& tally, bool following_unwatched) {
+  if (tally.any_exceeded) {
+    return Verdict::kExceeded;
+  }
+  if (following_unwatched) {
+    return Verdict::kUnknown;
+  }
+  if (tally.any_caution) {
+    return Verdict::kCaution;
+  }
+  return tally.any_unwatched ? Verdict::kUnknown : Verdict::kGood;
+}
+
+/// The amplitude that the roll limit means: a limit on RMS allows a significant amplitude of twice that.
+double roll_amplitude_limit(const Criteria& criteria) {
+  for (const Criterion& criterion : criteria) {
+    if (criterion.quantity == Quantity::kRoll && criterion.is_watched()) {
+      return criterion.statistic == Statistic::kRms ? 2.0 * criterion.limit : criterion.limit;
+    }
+  }
+  return 0.0;
+}
+
+void fill_columns(const Criteria& criteria, const Watch& watch, std::span<const ResponseMoments> moments,
+                  Cell& cell) {
+  const auto worst = [](float& column, double value) {
+    column = std::max(column, static_cast<float>(value));
+  };
+  for (std::size_t c = 0; c < watch.channels.size(); ++c) {
+    const Channel& channel = watch.channels[c];
+    const ResponseMoments& m = moments[c];
+    if (channel.quantity == Quantity::kRoll) {
+      cell.rms_roll = static_cast<float>(std::sqrt(m.m0));
+      if (const double limit = roll_amplitude_limit(criteria); limit > 0.0) {
+        cell.roll_exceedance = static_cast<float>(rayleigh_exceedance(limit, m.m0));
+      }
+    } else if (is_bridge_vertical(channel)) {
+      worst(cell.rms_bridge_vertical, std::sqrt(m.m0));
+    } else if (channel.quantity == Quantity::kSlamming) {
+      worst(cell.slam_probability,
+            slamming_probability(channel.level, channel.threshold_velocity, m.m0, m.m2));
+      worst(cell.slams_per_hour, slams_per_hour(channel.level, channel.threshold_velocity, m.m0, m.m2));
+    } else if (channel.quantity == Quantity::kDeckWetness) {
+      worst(cell.wetness_probability, wetness_probability(channel.level, m.m0));
+    }
+  }
+}
+
+bool needed_are_finite(const CriteriaChannels& channels, std::span<const ResponseMoments> moments) {
+  for (std::size_t c = 0; c < moments.size(); ++c) {
+    if (channels.is_needed[c] && !(std::isfinite(moments[c].m0) && std::isfinite(moments[c].m2))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+Cell unknown_cell(const CellCircumstances& circumstances) {
+  Cell cell;
+  cell.values.fill(kNotComputed);
+  cell.hazards = circumstances.hazards;
+  cell.quality = circumstances.quality;
+  return cell;
+}
+
+}  // namespace
+
+CriteriaChannels bind_criteria(const Criteria& criteria, const Watch& watch) {
+  CriteriaChannels out;
+  out.of_criterion.fill(kNoChannel);
+  for (std::size_t c = 0; c < watch.channels.size(); ++c) {
+    out.is_needed[c] = is_column(watch.channels[c]);
+  }
+  for (std::size_t i = 0; i < criteria.size(); ++i) {
+    const std::size_t c = find_channel(watch, criteria[i].quantity, criteria[i].place);
+    if (criteria[i].is_watched() && c < watch.channels.size()) {
+      out.of_criterion[i] = static_cast<std::uint8_t>(c);
+      out.is_needed[c] = true;
+      out.is_watched[c] = true;
+    }
+  }
+  return out;
+}
+
+double criterion_value(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments) {
+  switch (criterion.statistic) {
+    case Statistic::kRms:
+      return std::sqrt(moments.m0);
+    case Statistic::kSignificant:
+      return significant_amplitude(moments.m0);
+    case Statistic::kProbability:
+      return std::exp(-event_exponent(channel, moments));
+    case Statistic::kPerHour:
+      return oscillations_per_hour(moments.m0, moments.m2) * std::exp(-event_exponent(channel, moments));
+  }
+  check_failed("a statistic that is not one", __FILE__, __LINE__);
+}
+
+double height_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments) {
+  constexpr auto kUnbounded = static_cast<double>(kMarginUnbounded);
+  if (criterion.statistic == Statistic::kProbability || criterion.statistic == Statistic::kPerHour) {
+    return std::min(event_margin(criterion, channel, moments), kUnbounded);
+  }
+  const double value = criterion_value(criterion, channel, moments);
+  return value <= criterion.limit / kUnbounded ? kUnbounded : criterion.limit / value;
+}
+
+Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Watch& watch,
+           std::span<const ResponseMoments> moments, const CellCircumstances& circumstances) {
+  QS_CHECK(moments.size() == watch.channels.size());
+  Cell cell = unknown_cell(circumstances);
+  if (!needed_are_finite(channels, moments)) {
+    return cell;
+  }
+  Tally tally;
+  tally.any_unwatched = criteria.empty();  // without a limit nothing is known to be good
+  for (std::size_t i = 0; i < criteria.size(); ++i) {
+    const std::size_t c = channels.of_criterion[i];
+    if (c == kNoChannel) {
+      tally.any_unwatched = true;
+      continue;
+    }
+    judge_criterion(criteria[i], i, watch.channels[c], moments[c], tally, cell);
+  }
+  if (!tally.all_finite) {
+    return unknown_cell(circumstances);
+  }
+  const bool following_unwatched = static_cast<double>(cell.low_encounter_share) > kLowEncounterLimit;
+  cell.verdict = verdict_of(tally, following_unwatched);
+  cell.margin = cell.governing == kNoCriterion ? 0.0F : static_cast<float>(tally.smallest_margin);
+  fill_columns(criteria, watch, moments, cell);
+  if (following_unwatched) {
+    cell.hazards |= kHazardFollowingUnwatched;
+  }
+  if (static_cast<double>(cell.low_encounter_share) > kLowEncounterWorthSaying) {
+    cell.quality |= kQualityLowEncounter;
+  }
+  if (static_cast<double>(cell.rms_roll) > kExtremeRoll) {
+    cell.quality |= kQualityExtremeMotion;
+  }
+  return cell;
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,58 @@
+// The verdict on one cell: every criterion's value and margin from the moments of its channel.
+//
+// Margin: the factor by which wave height may grow before the limit is reached. Variances grow with its
+// square: RMS and significant amplitude, limit / value; slamming, P = exp(-q / f^2) = limit gives
+// f = sqrt(q / ln(1 / limit)), likewise deck wetness with q = freeboard^2 / 2 m0; for a rate per hour the
+// limit on P is limit / (3600 / T2), since T2 does not change with height. Verdict: exceeded if any watched
+// value is over its limit; else unknown if components of low encounter frequency carry more than a fifth of a
+// watched variance; else caution if any is over caution_fraction x limit; else unknown if any criterion is
+// not watched: no cell is good without it; else good.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/advice/advice.hpp"
+#include "core/advice/criteria.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
+#include "core/response/moments.hpp"
+#include "core/response/watch.hpp"
+
+namespace quickstrip {
+
+inline constexpr std::uint8_t kNoChannel = 255;
+
+/// Share of a watched variance below the encounter-frequency floor above which linear motions say nothing.
+inline constexpr double kLowEncounterLimit = 0.2;
+
+/// Where each criterion finds its channel, and the channels that the grid needs.
+struct CriteriaChannels {
+  std::array<std::uint8_t, kMaxCriteria> of_criterion{};  // kNoChannel: not watched
+  std::array<bool, kMaxChannels> is_needed{};             // by a criterion or a column of the grid
+  std::array<bool, kMaxChannels> is_watched{};            // by a criterion
+};
+
+CriteriaChannels bind_criteria(const Criteria& criteria, const Watch& watch);
+
+/// In the criterion's own statistic.
+double criterion_value(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments);
+
+/// In [0, kMarginUnbounded]; 1 at the limit.
+double height_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments);
+
+/// What is known of a cell besides its moments.
+struct CellCircumstances {
+  std::uint32_t quality = 0;
+  std::uint16_t hazards = 0;
+};
+
+/// moments: one per channel; those not needed may be zero. Governing: the smallest margin, the first of
+/// equals. governing_system is left to the caller. A moment that is not finite makes the cell unknown,
+/// without values.
+Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Watch& watch,
+           std::span<const ResponseMoments> moments, const CellCircumstances& circumstances);
+
+}  // namespace quickstrip

@@ -1,0 +1,198 @@
+#include "core/advice/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "tests/advice/scene.hpp"
+
+namespace quickstrip {
+namespace {
+
+using synthetic::Scene;
+
+/// One watched roll channel and whatever criteria a test wants; moments by hand.
+class VerdictRules : public testing::Test {
+ protected:
+  VerdictRules() {
+    add(Quantity::kRoll, {});
+    add(Quantity::kSlamming, {.quantity = Quantity::kSlamming, .level = 5.0, .threshold_velocity = 3.6});
+    add(Quantity::kDeckWetness, {.quantity = Quantity::kDeckWetness, .level = 6.0});
+  }
+  void add(Quantity, const Channel& channel) { EXPECT_TRUE(watch_.channels.push_back(channel)); }
+  void limit(Quantity quantity, Statistic statistic, double value, std::uint8_t place = 0) {
+    EXPECT_TRUE(
+        criteria_.push_back({.quantity = quantity, .place = place, .statistic = statistic, .limit = value}));
+  }
+  Cell cell() {
+    return judge(criteria_, bind_criteria(criteria_, watch_), watch_, moments_, {.quality = 4, .hazards = 0});
+  }
+  ResponseMoments& roll() { return moments_[0]; }
+  ResponseMoments& bow() { return moments_[1]; }
+  ResponseMoments& deck() { return moments_[2]; }
+
+  Watch watch_;
+  Criteria criteria_;
+  std::array<ResponseMoments, 3> moments_{};
+};
+
+TEST_F(VerdictRules, GoodCautionAndExceededFollowTheLimitAndItsFraction) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  roll().m0 = std::pow(0.0749, 2);
+  EXPECT_EQ(cell().verdict, Verdict::kGood);
+  roll().m0 = std::pow(0.0751, 2);
+  EXPECT_EQ(cell().verdict, Verdict::kCaution);
+  roll().m0 = std::pow(0.1001, 2);
+  EXPECT_EQ(cell().verdict, Verdict::kExceeded);
+}
+
+TEST_F(VerdictRules, RmsIsNeverJudgedAgainstASignificantValue) {
+  limit(Quantity::kRoll, Statistic::kSignificant, 0.1);
+  roll().m0 = std::pow(0.06, 2);  // significant 0.12
+  EXPECT_EQ(cell().verdict, Verdict::kExceeded);
+  EXPECT_NEAR(static_cast<double>(cell().values[0]), 0.12, 1e-7);  // float
+}
+
+TEST_F(VerdictRules, TheSmallestMarginGoverns) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  limit(Quantity::kDeckWetness, Statistic::kProbability, 0.05);
+  roll().m0 = std::pow(0.05, 2);  // margin 2
+  deck().m0 = 36.0 / (2.0 * std::log(20.0)) / 2.25;
+  EXPECT_EQ(cell().governing, 1);
+  EXPECT_NEAR(static_cast<double>(cell().margin), 1.5, 1e-6);  // float
+}
+
+TEST_F(VerdictRules, NoCellIsGoodWithACriterionThatIsNotWatched) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  limit(Quantity::kVerticalAcceleration, Statistic::kRms, 1.5, kNowhere);
+  roll().m0 = std::pow(0.02, 2);
+  EXPECT_EQ(cell().verdict, Verdict::kUnknown);
+  EXPECT_EQ(cell().values[1], kNotComputed);
+  EXPECT_EQ(cell().governing, 0);
+  roll().m0 = std::pow(0.08, 2);
+  EXPECT_EQ(cell().verdict, Verdict::kCaution);
+  roll().m0 = std::pow(0.2, 2);
+  EXPECT_EQ(cell().verdict, Verdict::kExceeded);
+}
+
+TEST_F(VerdictRules, NoCellIsGoodWithoutAnyCriterion) {
+  EXPECT_EQ(cell().verdict, Verdict::kUnknown);
+  EXPECT_EQ(cell().governing, kNoCriterion);
+  limit(Quantity::kRoll, Statistic::kRms, 0.1, kNowhere);
+  EXPECT_EQ(cell().verdict, Verdict::kUnknown);
+}
+
+TEST_F(VerdictRules, MoreThanAFifthBelowTheEncounterFloorIsUnknownUnlessExceeded) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  roll().m0 = std::pow(0.05, 2);
+  roll().m0_low_encounter = 0.199 * roll().m0;
+  EXPECT_EQ(cell().verdict, Verdict::kGood);
+  EXPECT_NE(cell().quality & kQualityLowEncounter, 0u);
+  EXPECT_EQ(cell().hazards & kHazardFollowingUnwatched, 0);
+  roll().m0_low_encounter = 0.201 * roll().m0;
+  EXPECT_EQ(cell().verdict, Verdict::kUnknown);
+  EXPECT_NE(cell().hazards & kHazardFollowingUnwatched, 0);
+  roll() = {.m0 = std::pow(0.08, 2), .m0_low_encounter = 0.3 * std::pow(0.08, 2)};
+  EXPECT_EQ(cell().verdict, Verdict::kUnknown);
+  roll() = {.m0 = std::pow(0.11, 2), .m0_low_encounter = 0.3 * std::pow(0.11, 2)};
+  EXPECT_EQ(cell().verdict, Verdict::kExceeded);
+}
+
+TEST_F(VerdictRules, AMomentThatIsNotANumberMakesTheCellUnknownWithoutValues) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    roll().m0 = bad;
+    EXPECT_EQ(cell().verdict, Verdict::kUnknown);
+    EXPECT_EQ(cell().values[0], kNotComputed);
+    EXPECT_EQ(cell().governing, kNoCriterion);
+    EXPECT_EQ(cell().margin, 0.0F);
+    EXPECT_EQ(cell().quality, 4u);
+  }
+}
+
+TEST_F(VerdictRules, ACalmSeaHasAnUnboundedMarginAndNothingInfinite) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  limit(Quantity::kSlamming, Statistic::kPerHour, 3.0);
+  limit(Quantity::kDeckWetness, Statistic::kProbability, 0.05);
+  EXPECT_EQ(cell().verdict, Verdict::kGood);
+  EXPECT_EQ(cell().margin, kMarginUnbounded);
+  EXPECT_EQ(cell().slam_probability, 0.0F);
+  EXPECT_EQ(cell().slams_per_hour, 0.0F);
+}
+
+TEST_F(VerdictRules, ColumnsOfPlacesThatTheHullLacksSayNotComputed) {
+  watch_.channels.clear();
+  ASSERT_TRUE(watch_.channels.push_back({}));
+  limit(Quantity::kPitch, Statistic::kRms, 0.1, kNowhere);
+  const Cell alone =
+      judge(criteria_, bind_criteria(criteria_, watch_), watch_, std::span(moments_).first(1), {});
+  EXPECT_EQ(alone.rms_bridge_vertical, kNotComputed);
+  EXPECT_EQ(alone.slam_probability, kNotComputed);
+  EXPECT_EQ(alone.slams_per_hour, kNotComputed);
+  EXPECT_EQ(alone.wetness_probability, kNotComputed);
+  EXPECT_EQ(alone.roll_exceedance, kNotComputed);  // no roll limit
+  EXPECT_EQ(alone.rms_roll, 0.0F);
+}
+
+TEST_F(VerdictRules, AtTheRmsRollLimitTheSignificantAmplitudeIsExceededByEToTheMinusTwo) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  roll().m0 = 0.01;
+  EXPECT_NEAR(static_cast<double>(cell().roll_exceedance), std::exp(-2.0), 1e-7);  // float
+}
+
+TEST_F(VerdictRules, RollAboveTenDegreesRmsIsFlagged) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  roll().m0 = std::pow(radians(10.1), 2);
+  EXPECT_NE(cell().quality & kQualityExtremeMotion, 0u);
+  roll().m0 = std::pow(radians(9.9), 2);
+  EXPECT_EQ(cell().quality & kQualityExtremeMotion, 0u);
+}
+
+/// Scaling every wave height by the margin must land exactly on the limit: 1e-6 asked, rounding gives 1e-12.
+class MarginLaw : public testing::TestWithParam<Criterion> {};
+
+TEST_P(MarginLaw, WaveHeightsScaledByTheMarginLandOnTheLimit) {
+  const Criterion& criterion = GetParam();
+  auto scene = std::make_unique<Scene>();
+  synthetic::add_system(scene->sea, scene->transfer, 0, 3.0, 7.0, 8, 6);
+  const std::size_t c = find_channel(scene->watch, criterion.quantity, criterion.place);
+  ASSERT_LT(c, scene->watch.channels.size());
+  const Channel& channel = scene->watch.channels[c];
+  std::array<ResponseMoments, kMaxChannels> all{};
+  const auto moments = std::span(all).first(scene->watch.channels.size());
+  ASSERT_TRUE(
+      response_moments(scene->transfer, scene->watch, scene->sea, {radians(30.0)}, 4.5, moments).ok());
+  const double margin = height_margin(criterion, channel, moments[c]);
+  ASSERT_GT(margin, 0.05);
+  ASSERT_LT(margin, 50.0);
+  ASSERT_GT(std::abs(margin - 1.0), 0.02);  // otherwise nothing is tested
+  synthetic::scale_heights(scene->sea, margin);
+  ASSERT_TRUE(
+      response_moments(scene->transfer, scene->watch, scene->sea, {radians(30.0)}, 4.5, moments).ok());
+  EXPECT_NEAR(criterion_value(criterion, channel, moments[c]) / criterion.limit, 1.0, 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryStatistic, MarginLaw,
+    testing::Values(
+        Criterion{.quantity = Quantity::kRoll, .statistic = Statistic::kRms, .limit = 0.05},
+        Criterion{.quantity = Quantity::kRoll, .statistic = Statistic::kSignificant, .limit = 0.05},
+        Criterion{.quantity = Quantity::kPitch, .statistic = Statistic::kRms, .limit = 0.1},
+        Criterion{.quantity = Quantity::kLateralAcceleration, .statistic = Statistic::kRms, .limit = 1.2},
+        Criterion{.quantity = Quantity::kSlamming, .statistic = Statistic::kProbability, .limit = 0.02},
+        Criterion{.quantity = Quantity::kSlamming, .statistic = Statistic::kPerHour, .limit = 5.0},
+        Criterion{.quantity = Quantity::kDeckWetness, .statistic = Statistic::kProbability, .limit = 0.05},
+        Criterion{.quantity = Quantity::kDeckWetness, .statistic = Statistic::kPerHour, .limit = 30.0}));
+
+TEST(Margin, IsUnboundedWhenThereAreFewerOscillationsThanEventsAllowed) {
+  const Criterion criterion{
+      .quantity = Quantity::kSlamming, .statistic = Statistic::kPerHour, .limit = 1000.0};
+  const Channel channel{.quantity = Quantity::kSlamming, .level = 5.0, .threshold_velocity = 3.6};
+  ResponseMoments moments{.m0 = 100.0, .m2 = 100.0};  // 573 an hour
+  EXPECT_EQ(height_margin(criterion, channel, moments), static_cast<double>(kMarginUnbounded));
+}
+
+}  // namespace
+}  // namespace quickstrip
