@@ -43,6 +43,7 @@ struct Loading {
   double water_density = kSeaWaterDensity;
   double viscosity = kSeaWaterKinematicViscosity;
   double gravity = kStandardGravity;
+  bool operator==(const Loading&) const = default;
 };
 
 enum class RollDampingMethod : std::uint8_t { kRatio, kIkeda };

@@ -1,0 +1,46 @@
+// What goes into one cycle and what comes out of it: the door between the session and the advisor.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/advice/advice.hpp"
+#include "core/advice/cell_response.hpp"
+#include "core/base/angles.hpp"
+#include "core/base/capacity.hpp"
+#include "core/hull/hull.hpp"
+#include "core/sea/sea_state.hpp"
+
+namespace quickstrip {
+
+struct OwnShip {
+  Heading heading;
+  double speed = 0.0;              // through the water, or over ground and said so [m/s]
+  bool speed_over_ground = false;  // fallback: speed through the water is not known
+};
+
+/// Core has no clock: age is the session's to judge, and `no_advice` its way to say that an input is missing
+/// or stale. Null: not there. Objects live until step() returns.
+struct StepInputs {
+  const SeaState* sea_state = nullptr;            // one of the two; with both, the measured spectrum is used
+  const DirectionalSpectrum* spectrum = nullptr;  // and the session decides which is newer
+  const OwnShip* own_ship = nullptr;
+  const Loading* loading = nullptr;  // null: the loading in force stays
+  NoAdvice no_advice = NoAdvice::kNone;
+};
+
+/// advice.no_advice says whether the rest is valid. Without advice all cells are unknown, but for
+/// kSpeedOutsideGrid, where the grid is valid and the present state is not known. About 370 kB: static.
+struct StepOutput {
+  Advice advice;
+  Grid grid;
+  CellResponse present;  // without advice: no quantities, verdict unknown
+  std::uint32_t quality = 0;
+  double hs = 0.0;         // of the sea that was used [m]
+  double lost_tail = 0.0;  // fraction of its m0 outside the frequencies
+  std::size_t num_systems = 0;
+  std::array<WaveSystem, kMaxWaveSystems> systems{};
+};
+
+}  // namespace quickstrip
