@@ -1,0 +1,29 @@
+// The six linear equations of motion in two uncoupled sets, surge-heave-pitch and sway-roll-yaw, about G:
+// sum_j {-omega_e^2 (M + a) + i omega_e b + c} x_j = X_i. Solved by cofactors, 3 x 3, complex.
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include "core/base/angles.hpp"
+#include "core/strip/hydrodynamic_coefficients.hpp"
+#include "core/strip/loaded_hull.hpp"
+#include "core/strip/motion_transfer.hpp"
+#include "core/strip/wave_loads.hpp"
+
+namespace quickstrip {
+
+/// The floor of |omega_e| in coefficients and equations: min(0.42 sqrt(g/L), omega/2) [rad/s]. Below it
+/// surge, sway and yaw would grow as 1/omega_e^2 with nothing to restore them; the minimum with omega/2 keeps
+/// the long-wave limits (formulas §6). With sign(omega_e) the motions jump where omega_e changes sign.
+double encounter_floor(const LoadedHull& hull, double omega);
+
+/// Motions at G per metre of wave amplitude. `field` is the wave's; speed V >= 0 [m/s].
+/// A singular set gives non-finite numbers, which solve_grid() refuses; potential damping makes that
+/// impossible for a hull that load() accepted.
+MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed);
+
+/// The same for one wave alone, all included: costs the field of that wave (about 20 us).
+MotionTransfer motion_transfer(const LoadedHull& hull, double omega, EncounterAngle mu, double speed);
+
+}  // namespace quickstrip

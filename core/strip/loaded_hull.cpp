@@ -1,0 +1,244 @@
+#include "core/strip/loaded_hull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/base/interpolation.hpp"
+#include "core/strip/roll_damping.hpp"
+#include "core/strip/surge.hpp"
+
+namespace quickstrip {
+namespace {
+
+// Encounter frequency nodes in units of sqrt(g/L): below lies no wave that moves a ship relative to it, above
+// lie encounter frequencies of Fn 0.4 in head seas of wave length L/20.
+constexpr double kLowestNode = 0.05;
+constexpr double kHighestNode = 50.0;
+
+constexpr double kGauss = 0.57735026918962576;  // 1/sqrt(3): two-point Gauss rule
+
+// On every panel of the offsets: exact for the cubic that a linear half-breadth and the first terms of
+// exp(kz) make.
+void set_quadrature(const ImmersedSection& section, OffsetQuadrature& q) {
+  q.count = 0;
+  for (std::size_t i = 0; i + 1 < section.contour.size(); ++i) {
+    const Offset& a = section.contour[i];
+    const Offset& b = section.contour[i + 1];
+    const double dz = b.z - a.z;
+    if (!(dz > 0.0)) {
+      continue;  // flat bottom
+    }
+    for (const double side : {-kGauss, kGauss}) {
+      const double t = 0.5 * (1.0 + side);
+      q.add(a.z + t * dz, a.y + t * (b.y - a.y), 0.5 * dz);
+    }
+  }
+}
+
+template <std::size_t N>
+void set_quadrature(const LewisSection& form, ContourQuadrature<N>& q) {
+  constexpr double kPanel = 0.5 * kPi / static_cast<double>(kLewisPanels);
+  q.count = 0;
+  for (std::size_t i = 0; i < kLewisPanels; ++i) {
+    for (const double side : {-kGauss, kGauss}) {
+      const double theta = (static_cast<double>(i) + 0.5 * (1.0 + side)) * kPanel;
+      const ContourPoint point = contour_point(form, theta);
+      const double dz_dtheta =
+          form.scale * ((1.0 - form.a1) * std::sin(theta) + 3.0 * form.a3 * std::sin(3.0 * theta));
+      q.add(point.z, point.y, 0.5 * kPanel * dz_dtheta);
+    }
+  }
+}
+
+// From the section table, in SI about O, then moved to G: a24_G = a24 + OG a22 (NOTATION.md: OG up +).
+void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, SectionHydrodynamics& out) {
+  const LewisSection& form = hull.lewis[i];
+  const double xi = omega * omega * form.breadth / (2.0 * hull.gravity);
+  const SectionCoefficients c = section_coefficients(hull.column[i], xi);
+  const double rho_a = hull.density * form.area;
+  const double per_second = std::sqrt(2.0 * hull.gravity / form.breadth);
+  const double b1 = form.breadth;
+  const double og = hull.g_height;
+  const double a22 = rho_a * c.a22;
+  const double b22 = rho_a * c.b22 * per_second;
+  const double a24 = rho_a * b1 * c.a24;
+  const double b24 = rho_a * b1 * c.b24 * per_second;
+  const double a44 = rho_a * b1 * b1 * c.a44;
+  const double b44 = rho_a * b1 * b1 * c.b44 * per_second;
+  out[kA22][i] = a22;
+  out[kB22][i] = b22;
+  out[kA24][i] = a24 + og * a22;
+  out[kB24][i] = b24 + og * b22;
+  out[kA33][i] = rho_a * c.a33;
+  out[kB33][i] = rho_a * c.b33 * per_second;
+  out[kA44][i] = a44 + 2.0 * og * a24 + og * og * a22;
+  out[kB44][i] = b44 + 2.0 * og * b24 + og * og * b22;
+}
+
+Status set_sections(LoadedHull& hull) {
+  const ImmersedSections& sections = hull.immersed;
+  hull.num_sections = sections.size();
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const ImmersedSection& s = sections[i];
+    hull.x[i] = s.x - hull.hydrostatics.lcb;
+    hull.half_breadth[i] = 0.5 * s.breadth;
+    hull.area[i] = s.area;
+    hull.centroid_below_g[i] = hull.g_height - s.centroid_z;
+    hull.weight[i] = s.weight;
+    const Result<LewisSection> form = hydrodynamic_lewis_section(s.breadth, s.draught, s.area);
+    if (!form) {
+      return form.error();
+    }
+    set_quadrature(*form, hull.lewis_contour[i]);
+    // A bulb's own Lewis form is good for pressures where only its coefficients are not (formulas §2); a
+    // re-entrant one crosses itself.
+    const Result<LewisSection> own = lewis_section(s.breadth, s.draught, s.area);
+    const bool own_form_is_simple = own.ok() && own->lewis_class != LewisClass::kReentrant;
+    if (!s.contour.empty() && (hull.method.contour == WaveContour::kOffsets || !own.ok())) {
+      set_quadrature(s, hull.wave_contour[i]);
+    } else {
+      set_quadrature(own_form_is_simple ? *own : *form, hull.wave_contour[i]);
+    }
+    hull.lewis[i] = *form;
+    hull.has_replaced_section = hull.has_replaced_section || form->replaced;
+    const Result<SectionTableColumn> column = section_table_column(form->h0, form->sigma);
+    if (!column) {
+      return column.error();
+    }
+    hull.column[i] = *column;
+  }
+  // What a weight holds beyond the neighbours' half panels is the panel to a station out of the water.
+  const std::size_t last = hull.num_sections - 1;
+  hull.taper_aft = std::max(0.0, 2.0 * hull.weight[0] - (hull.x[1] - hull.x[0]));
+  hull.taper_fore = std::max(0.0, 2.0 * hull.weight[last] - (hull.x[last] - hull.x[last - 1]));
+  return {};
+}
+
+// Roll moment of Froude-Krilov loads: the contours give the stiffness of the solid G. In a long wave the
+// liquid in tanks (and whatever else a given GM stands for) sees the same tilted gravity as the ship, so the
+// difference acts as a lever of the sway force; then roll tends to the wave slope (formulas §6, "roll moment
+// and contour").
+double roll_lever_shift(const LoadedHull& hull) {
+  double contour_moment = 0.0;  // integral of 2/3 y_w^3 + 2 z y dz, about O [m4]
+  double contour_volume = 0.0;
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    const ContourView q = hull.wave_contour[i].view();
+    double first_moment = 0.0;
+    double area = 0.0;
+    for (std::size_t n = 0; n < q.z.size(); ++n) {
+      first_moment += 2.0 * q.weight[n] * q.z[n] * q.y[n];
+      area += 2.0 * q.weight[n] * q.y[n];
+    }
+    const double y = hull.half_breadth[i];
+    contour_moment += hull.weight[i] * (2.0 / 3.0 * y * y * y + first_moment);
+    contour_volume += hull.weight[i] * area;
+  }
+  const double contour_gm = contour_moment / contour_volume - hull.g_height;
+  return contour_gm - hull.hydrostatics.gm;
+}
+
+}  // namespace
+
+Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out) {
+  ImmersedSections& sections = out.immersed;
+  if (const Status cut = immerse(hull, loading, sections); !cut) {
+    return cut;
+  }
+  const Result<Hydrostatics> floating = hydrostatics(hull, loading, sections);
+  if (!floating) {
+    return floating.error();
+  }
+  if (!(loading.roll_gyradius > 0.0 && loading.pitch_gyradius > 0.0 && loading.yaw_gyradius > 0.0)) {
+    return Error::kOutOfRange;
+  }
+  out.method = method;
+  out.gravity = loading.gravity;
+  out.density = loading.water_density;
+  out.lpp = hull.lpp;
+  out.breadth = hull.breadth;
+  out.hydrostatics = *floating;
+  out.has_replaced_section = false;
+  out.g_height = floating->kg - floating->draught_at_lcb;
+  if (const Status placed = set_sections(out); !placed) {
+    return placed;
+  }
+
+  const double mass = floating->displacement;
+  out.body = {mass, mass * loading.roll_gyradius * loading.roll_gyradius,
+              mass * loading.pitch_gyradius * loading.pitch_gyradius,
+              mass * loading.yaw_gyradius * loading.yaw_gyradius};
+  const double rho_g = out.density * out.gravity;
+  out.restoring.c33 = 2.0 * rho_g * integral(out, out.half_breadth, 0);
+  out.restoring.c35 = -2.0 * rho_g * integral(out, out.half_breadth, 1);
+  out.restoring.c44 = mass * out.gravity * floating->gm;
+  out.restoring.c55 = mass * out.gravity * floating->gml;
+  out.roll_lever_shift = roll_lever_shift(out);
+  out.surge_added_mass_factor =
+      method.surge == SurgeTerms::kFull ? spheroid_surge_added_mass_factor(out.lpp, out.breadth) : 0.0;
+
+  const double froude_frequency = std::sqrt(out.gravity / out.lpp);
+  const double span = std::log(kHighestNode / kLowestNode);
+  for (std::size_t n = 0; n < kNumEncounterNodes; ++n) {
+    const double t = static_cast<double>(n) / static_cast<double>(kNumEncounterNodes - 1);
+    out.log_omega[n] = std::log(kLowestNode * froude_frequency) + t * span;
+    for (std::size_t i = 0; i < out.num_sections; ++i) {
+      table_hydrodynamics(out, i, std::exp(out.log_omega[n]), out.node[n]);
+    }
+  }
+  out.roll_natural_frequency = roll_natural_frequency(out);
+  set_roll_damping_ratio(out, hull.roll_damping.ratio);
+  return std::isfinite(out.roll_damping_added) ? Status{} : Status{Error::kNotFinite};
+}
+
+void set_roll_damping_ratio(LoadedHull& hull, double ratio) {
+  hull.roll_damping_added = ratio_roll_damping(hull, ratio);
+}
+
+void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out) {
+  const double omega = std::fabs(omega_e);
+  const double log_omega = std::log(omega);
+  if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
+    for (std::size_t i = 0; i < hull.num_sections; ++i) {
+      table_hydrodynamics(hull, i, omega, out);
+    }
+    return;
+  }
+  const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
+  for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
+    const SectionValues& v0 = hull.node[s.first][q];
+    const SectionValues& v1 = hull.node[s.first + 1][q];
+    const SectionValues& v2 = hull.node[s.first + 2][q];
+    for (std::size_t i = 0; i < hull.num_sections; ++i) {
+      out[q][i] = s.weight[0] * v0[i] + s.weight[1] * v1[i] + s.weight[2] * v2[i];
+    }
+  }
+}
+
+double integral(const LoadedHull& hull, const SectionValues& values, int power) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    const double x = hull.x[i];
+    sum += hull.weight[i] * values[i] * (power == 0 ? 1.0 : power == 1 ? x : x * x);
+  }
+  return sum;
+}
+
+double integral_of_slope(const LoadedHull& hull, const SectionValues& values, int power) {
+  const auto shape = [power](double x) { return power == 0 ? 1.0 : power == 1 ? x : x * x; };
+  const auto mean_shape = [&](double x0, double x1) { return 0.5 * (shape(x0) + shape(x1)); };
+  const std::size_t last = hull.num_sections - 1;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < last; ++i) {
+    sum += (values[i + 1] - values[i]) * mean_shape(hull.x[i], hull.x[i + 1]);
+  }
+  if (hull.taper_aft > 0.0 || hull.method.end_terms) {
+    sum += values[0] * mean_shape(hull.x[0] - hull.taper_aft, hull.x[0]);
+  }
+  if (hull.taper_fore > 0.0 || hull.method.end_terms) {
+    sum -= values[last] * mean_shape(hull.x[last], hull.x[last] + hull.taper_fore);
+  }
+  return sum;
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,131 @@
+// The compact coefficient table of one hull at one loading, and everything that strip theory needs beside it:
+// built once when the loading changes, without allocation, then only read.
+//
+// Sections: real contours (or Lewis contours for a hull of minimal form) give area, hydrostatics and
+// Froude-Krilov loads; Lewis forms give a and b. Two-dimensional coefficients are held about G at geometric
+// nodes of encounter frequency, 0.05 ... 50 sqrt(g/L), and interpolated there by second-degree Lagrange
+// polynomials in ln(omega) [Journee1992] §4; outside the nodes they come from the section table directly.
+// Memory: about 1.2 MB, static. Cost of `load`: 96 nodes x stations table look-ups, a few ms.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/base/capacity.hpp"
+#include "core/base/check.hpp"
+#include "core/base/result.hpp"
+#include "core/hull/hull.hpp"
+#include "core/hull/hydrostatics.hpp"
+#include "core/hull/lewis_section.hpp"
+#include "core/strip/method.hpp"
+#include "core/strip/section_table.hpp"
+
+namespace quickstrip {
+
+/// One value per section, aft to fore.
+using SectionValues = std::array<double, kMaxStations>;
+
+/// Two-dimensional coefficients per metre of length, about G, SI.
+enum StripQuantity : std::size_t { kA22, kB22, kA24, kB24, kA33, kB33, kA44, kB44, kNumStripQuantities };
+using SectionHydrodynamics = std::array<SectionValues, kNumStripQuantities>;
+
+/// Points and weights for integrals over z from keel to waterline: sum weight f(z, y); z from the waterline,
+/// y >= 0.
+struct ContourView {
+  std::span<const double> z;
+  std::span<const double> y;
+  std::span<const double> weight;
+};
+
+template <std::size_t N>
+struct ContourQuadrature {
+  std::size_t count = 0;
+  std::array<double, N> z{};
+  std::array<double, N> y{};
+  std::array<double, N> weight{};
+
+  void add(double z_at, double y_at, double weight_at) {
+    QS_CHECK(count < N);
+    z[count] = z_at;
+    y[count] = y_at;
+    weight[count] = weight_at;
+    ++count;
+  }
+  [[nodiscard]] ContourView view() const {
+    return {{z.data(), count}, {y.data(), count}, {weight.data(), count}};
+  }
+};
+
+// Two Gauss points on each panel: of the offsets, and of 24 panels of a Lewis contour (volume within 1e-5).
+inline constexpr std::size_t kLewisPanels = 24;
+using OffsetQuadrature = ContourQuadrature<2 * (kMaxOffsets + 1)>;
+using LewisQuadrature = ContourQuadrature<2 * kLewisPanels>;
+
+struct RigidBody {
+  double mass = 0.0;  // kg
+  double ixx = 0.0;   // kg m2, about G
+  double iyy = 0.0;
+  double izz = 0.0;
+};
+
+struct Restoring {
+  double c33 = 0.0;
+  double c35 = 0.0;
+  double c44 = 0.0;  // rho g nabla GM, fluid
+  double c55 = 0.0;
+};
+
+struct LoadedHull {
+  StripMethod method;
+  double gravity = kStandardGravity;
+  double density = kSeaWaterDensity;
+  double lpp = 0.0;
+  double breadth = 0.0;
+  Hydrostatics hydrostatics;
+  ImmersedSections immersed;      // stations with immersed area, aft to fore
+  double g_height = 0.0;          // OG: of (solid) G above the waterplane, + up [m]
+  double roll_lever_shift = 0.0;  // m; moves the roll moment of FK loads from the solid to the fluid G
+  RigidBody body;
+  Restoring restoring;
+  double surge_added_mass_factor = 0.0;  // a11' / (rho A)
+  double roll_damping_added = 0.0;       // b44 on top of potential damping [N m s]
+  double roll_natural_frequency = 0.0;   // rad/s, with a44 there, undamped
+  bool has_replaced_section = false;
+
+  std::size_t num_sections = 0;
+  SectionValues x{};             // from G, + forward [m]
+  SectionValues weight{};        // trapezoidal: integral over length = sum weight f
+  double taper_aft = 0.0;        // beyond the first and the last section the hull ends linearly within this
+  double taper_fore = 0.0;       // length, at a station without immersed area; 0: it ends there [m]
+  SectionValues half_breadth{};  // at the waterline [m]
+  SectionValues area{};
+  SectionValues centroid_below_g{};                           // bG [m]
+  std::array<OffsetQuadrature, kMaxStations> wave_contour{};  // for Froude-Krilov loads, see StripMethod
+  std::array<LewisQuadrature, kMaxStations> lewis_contour{};  // of the forms that a and b belong to
+  std::array<LewisSection, kMaxStations> lewis{};
+  std::array<SectionTableColumn, kMaxStations> column{};
+
+  std::array<double, kNumEncounterNodes> log_omega{};  // of the nodes, natural
+  std::array<SectionHydrodynamics, kNumEncounterNodes> node{};
+};
+
+/// Fills `out`. Errors: those of immerse() and hydrostatics(), kOutOfRange for a section outside the table,
+/// kNotFinite. On error `out` is not to be used.
+Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out);
+
+/// Replaces the added roll damping by `ratio` of critical (0 ... 1): b44 = 2 ratio c44 / omega_n.
+void set_roll_damping_ratio(LoadedHull& hull, double ratio);
+
+/// a, b of every section at |omega_e| [rad/s] > 0, per metre, about G.
+void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out);
+
+/// Trapezoidal integral over the length of section values times x^power, power 0 ... 2.
+double integral(const LoadedHull& hull, const SectionValues& values, int power);
+
+/// Integral over the length of d(values)/dx times x^power; with end terms the jumps at both ends are
+/// included, and it equals minus the integral of values times d(x^power)/dx to rounding.
+double integral_of_slope(const LoadedHull& hull, const SectionValues& values, int power);
+
+}  // namespace quickstrip

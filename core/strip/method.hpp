@@ -1,0 +1,47 @@
+// The choices that strip theory leaves open; the default of each is its first value (contract §4).
+#pragma once
+
+#include <cstdint>
+
+namespace quickstrip {
+
+enum class StripVariant : std::uint8_t {
+  kOrdinary,  // d/dt{a v} + b v [Korvin-Kroukovsky1957]
+  kModified,  // d/dt{(a - i b/omega_e) v} [Tasai1969], [STF1970]
+};
+
+enum class DiffractionLoads : std::uint8_t {
+  kHaskind,  // equivalent motions, corrected so that beam seas obey the Haskind relation
+  kClassic,  // equivalent accelerations and velocities alone [Journee1992] §3
+};
+
+enum class SurgeTerms : std::uint8_t {
+  kFull,         // potential added mass in surge
+  kInertiaOnly,  // a11 = b11 = 0
+};
+
+enum class WaveContour : std::uint8_t {
+  kOffsets,  // undisturbed wave pressure on the real section, where offsets are known
+  kLewis,    // on the Lewis form, as [Journee1992] §4 has it
+};
+
+enum class LowEncounterRule : std::uint8_t {
+  kFloor,  // |omega_e| held at a floor in coefficients and equations, and flagged
+  kPaper,  // wave loads forced to zero there [Journee1992] §2, and flagged
+};
+
+struct StripMethod {
+  StripVariant variant = StripVariant::kOrdinary;
+  bool end_terms = true;  // the jump of added mass at the hull's ends (matters for transoms)
+  DiffractionLoads loads = DiffractionLoads::kHaskind;
+  SurgeTerms surge = SurgeTerms::kFull;
+  LowEncounterRule low_encounter = LowEncounterRule::kFloor;
+  WaveContour contour = WaveContour::kOffsets;
+};
+
+/// The paper's own setting, `--paper`.
+inline constexpr StripMethod kPaperMethod{StripVariant::kOrdinary,    true,
+                                          DiffractionLoads::kClassic, SurgeTerms::kFull,
+                                          LowEncounterRule::kPaper,   WaveContour::kLewis};
+
+}  // namespace quickstrip

@@ -1,0 +1,54 @@
+// First-order wave loads on the restrained ship, about G, per metre of wave amplitude: Froude-Krilov loads on
+// the contour, diffraction loads by equivalent accelerations and velocities [Journee1992] §3 (formulas §6),
+// optionally corrected in beam seas so that they obey the Haskind relation.
+//
+// What does not depend on speed is gathered once per (omega, mu) in a WaveField; loads at a speed are then
+// dot products over the sections. Assumptions: deep water, wave of small steepness, strips independent of
+// each other. Contours: the real one for Froude-Krilov loads (Lewis contour for a hull of minimal form),
+// Lewis forms for a and b.
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include "core/base/angles.hpp"
+#include "core/strip/loaded_hull.hpp"
+
+namespace quickstrip {
+
+using Complex = std::complex<double>;
+using ComplexSectionValues = std::array<Complex, kMaxStations>;
+
+/// Corrections of the sectional loads at mu = 90 degrees and V = 0, crest at the section (formulas §6,
+/// Haskind).
+struct BeamSeaCorrection {
+  ComplexSectionValues sway{};
+  ComplexSectionValues heave{};
+  ComplexSectionValues roll{};  // about G
+};
+
+struct WaveField {
+  double omega = 0.0;
+  EncounterAngle mu;
+  std::array<Complex, 6> froude_krilov{};  // whole ship, about G; surge includes its added-mass part
+  // Q = weight * velocity factor, R = the same against the slope of a coefficient; [0]: force, [1]: times x.
+  std::array<ComplexSectionValues, 2> heave_velocity{};
+  std::array<ComplexSectionValues, 2> heave_velocity_slope{};
+  std::array<ComplexSectionValues, 2> sway_velocity{};
+  std::array<ComplexSectionValues, 2> sway_velocity_slope{};
+  std::array<Complex, 6> beam_correction{};  // whole ship, weights of mu included, weight of omega_e not
+};
+
+/// All of a wave frequency that does not depend on direction. omega > 0 [rad/s].
+void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection& out);
+
+/// `correction` may be null: loads by equivalent motions alone.
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const BeamSeaCorrection* correction,
+                WaveField& out);
+
+/// Six loads [N, N m per m], times e^{i omega_e t}. `section`: at |omega_e|; omega_e signed, not zero; V
+/// [m/s].
+std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
+                                  const SectionHydrodynamics& section, double omega_e, double speed);
+
+}  // namespace quickstrip
