@@ -1,3 +1,4 @@
+// Sections cut at the waterline: the immersed part of core/hull/hydrostatics.hpp.
 #include <algorithm>
 #include <cmath>
 
