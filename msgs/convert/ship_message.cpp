@@ -129,25 +129,26 @@ Conversion check_draughts(const loading_t& m, const Hull& hull) {
 
 }  // namespace
 
-Conversion to_own_ship(const own_ship_t& message, OwnShip& out) {
+Conversion to_own_ship(const own_ship_t& message, OwnShipReading& out) {
   if (const Conversion checked = check_own_ship(message); !checked) {
     return checked;
   }
-  OwnShip ship;
-  ship.heading = {radians(message.heading_deg)};
+  OwnShipReading reading;
   const bool through_water = has(message.valid, own_ship_t::VALID_SPEED_THROUGH_WATER);
-  ship.speed = from_knots(through_water ? message.speed_through_water_kn : message.speed_over_ground_kn);
-  ship.speed_kind = through_water ? SpeedKind::kThroughWater : SpeedKind::kOverGround;
+  reading.ship.heading = {radians(message.heading_deg)};
+  reading.ship.speed =
+      from_knots(through_water ? message.speed_through_water_kn : message.speed_over_ground_kn);
+  reading.ship.speed_over_ground = !through_water;
   if (has(message.valid, own_ship_t::VALID_COURSE)) {
-    ship.course = radians(message.course_over_ground_deg);
+    reading.course = radians(message.course_over_ground_deg);
   }
   if (has(message.valid, own_ship_t::VALID_RATE_OF_TURN)) {
-    ship.rate_of_turn = radians(message.rate_of_turn_deg_min) / kSecondsPerMinute;
+    reading.rate_of_turn = radians(message.rate_of_turn_deg_min) / kSecondsPerMinute;
   }
   if (has(message.valid, own_ship_t::VALID_DEPTH)) {
-    ship.water_depth = message.depth_m;
+    reading.water_depth = message.depth_m;
   }
-  out = ship;
+  out = reading;
   return {};
 }
 

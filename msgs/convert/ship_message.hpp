@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/base/angles.hpp"
+#include "core/advice/step.hpp"
 #include "core/hull/hull.hpp"
 #include "msgs/convert/refusal.hpp"
 #include "quickstrip/loading_t.hpp"
@@ -17,17 +17,19 @@ enum class SpeedKind : std::uint8_t { kNotKnown = 0, kThroughWater = 1, kOverGro
 
 /// SI. Speed through the water; over ground only where that is not known, and then the advice says so
 /// (kQualitySpeedOverGround).
-struct OwnShip {
-  Heading heading;
-  double speed = 0.0;
-  SpeedKind speed_kind = SpeedKind::kNotKnown;
+struct OwnShipReading {
+  OwnShip ship;                        // what the advisor takes
   std::optional<double> course;        // over ground, compass [rad]
   std::optional<double> rate_of_turn;  // to starboard positive [rad/s]
   std::optional<double> water_depth;   // from the surface [m]
 };
 
+constexpr SpeedKind speed_kind(const OwnShip& ship) {
+  return ship.speed_over_ground ? SpeedKind::kOverGround : SpeedKind::kThroughWater;
+}
+
 /// Required: heading, and one of the two speeds. On refusal `out` is as it was.
-Conversion to_own_ship(const own_ship_t& message, OwnShip& out);
+Conversion to_own_ship(const own_ship_t& message, OwnShipReading& out);
 
 /// The hull's default loading with the fields that the message gives. A new draught or KG takes away a
 /// default GM and measured roll period, and a new KG a default free-surface correction, for they belonged to
