@@ -16,8 +16,9 @@ namespace quickstrip {
 
 /// One station below the waterline. Contour: half-breadth y >= 0 against z measured from the waterline
 /// (z <= 0, never decreasing), keel first. The last point of a surface-piercing section has z == 0; of a
-/// wholly submerged one y == 0, z < 0. A first point with y > 0 is the edge of a flat bottom. Empty for a
-/// station of minimal form.
+/// wholly submerged one y == 0, z < 0. A first point with y > 0 is the edge of a flat bottom. A station of
+/// minimal form has a curve of its breadth, draught and area (minimal_section.hpp; its bulbs reach up to z ==
+/// 0 with y == 0).
 struct ImmersedSection {
   double x = 0.0;            // from the aft perpendicular [m]
   double breadth = 0.0;      // at the waterline, both sides [m]; 0 for a wholly submerged section

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/hull/hydrostatics.hpp"
+#include "core/hull/minimal_section.hpp"
 
 namespace quickstrip {
 namespace {
@@ -144,17 +145,12 @@ void measure_contour(ImmersedSection& section) {
   section.breadth = section.contour.back().z < 0.0 ? 0.0 : 2.0 * section.contour.back().y;
 }
 
-// The centroid of a section of which only breadth, draught and area are known. Morrish's rule for the depth
-// of the centre of buoyancy, (T/2 + volume/waterplane)/3, written for a section: exact for the rectangle and
-// the triangle, 0.4 % of T too deep for the semicircle. Fuller than its rectangle (bulb): half draught.
 void measure_minimal(const Station& station, ImmersedSection& section) {
-  section.contour.clear();
-  section.breadth = station.breadth;
+  minimal_contour(station.breadth, station.draught, station.area, section.contour);
+  measure_contour(section);
+  section.breadth = station.breadth;  // as given, not as rounded
   section.draught = station.draught;
   section.area = station.area;
-  const double rectangle = station.breadth * station.draught;
-  const double sigma = station.area < rectangle ? station.area / rectangle : 1.0;
-  section.centroid_z = -station.draught * (0.5 + sigma) / 3.0;
 }
 
 // Trapezoidal weight of station i among all stations, immersed or not.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/hull/imo_roll_period.hpp"
+#include "core/hull/lewis_section.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/check_remarks.hpp"
 #include "sim/hull_tool/commands.hpp"
@@ -41,6 +42,23 @@ void report_stations(const FloatingHull& ship, std::string& text) {
   }
 }
 
+// Sections whose added mass and damping are those of another form (lewis_section.hpp); all else is their own.
+void report_replaced(const FloatingHull& ship, std::string& text) {
+  for (const ImmersedSection& section : ship.sections) {
+    const auto lewis = hydrodynamic_lewis_section(section.breadth, section.draught, section.area);
+    if (lewis && lewis->replaced) {
+      const double rectangle = section.breadth * section.draught;
+      line(text, "replaced",
+           fmt::format(
+               "x {:g} m: B {:.3g} m, T {:.3g} m, A {:.4g} m2{}; added mass and damping of H0 {:.3f}, sigma "
+               "{:.3f}{}",
+               section.x, section.breadth, section.draught, section.area,
+               rectangle > 0.0 ? fmt::format(" (sigma {:.3g})", section.area / rectangle) : "", lewis->h0,
+               lewis->sigma, lewis->extrapolated ? " (beyond the table)" : ""));
+    }
+  }
+}
+
 void report_hydrostatics(const FloatingHull& ship, std::string& text) {
   const Hydrostatics& h = ship.hydrostatics;
   const Loading& loading = ship.loading;
@@ -69,6 +87,7 @@ void run(const std::string& file) {
   const auto ship = float_hull(file);
   std::string text;
   report_stations(*ship, text);
+  report_replaced(*ship, text);
   report_hydrostatics(*ship, text);
   report_grid(*ship, text);
   for (const std::string& remark : warnings_of(*ship)) {

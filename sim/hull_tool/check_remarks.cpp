@@ -73,6 +73,13 @@ void remark_stability(const FloatingHull& ship, Remarks& remarks) {
         "loading.free_surface_correction_m is absent: GM is the solid one, the true one is smaller; every "
         "output will say so");
   }
+  const bool guessed = std::any_of(ship.hull.stations.begin(), ship.hull.stations.end(),
+                                   [](const Station& station) { return station.is_minimal(); });
+  if (guessed && !loading.gm) {
+    remarks.push_back(
+        "KB, and so GM, is estimated where a station has no offsets (S-175: 0.06 m too high); give "
+        "loading.gm_m where it is known");
+  }
   const Hydrostatics& h = ship.hydrostatics;
   const auto estimate = imo_roll_period(ship.hull.lpp, ship.hull.breadth,
                                         0.5 * (loading.draught_aft + loading.draught_fwd), h.gm);

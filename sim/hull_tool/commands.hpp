@@ -9,11 +9,13 @@ namespace quickstrip::hull_tool {
 
 void add_check(CLI::App& app);
 void add_hydrostatics(CLI::App& app);
+void add_sections(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
   add_check(app);
   add_hydrostatics(app);
+  add_sections(app);
 }
 
 }  // namespace quickstrip::hull_tool

@@ -144,6 +144,29 @@ TEST(HullTool, JsonHasTheSameKeysAndNullForWhatIsNotKnown) {
   EXPECT_NE(outcome.out.find("\"cwp\": "), std::string::npos);
 }
 
+TEST(HullTool, SectionsListsEveryStationAndSaysWhichFormsAreReplaced) {
+  const Outcome outcome = run("sections " + kHulls + "s175.hull.toml");
+  EXPECT_EQ(outcome.exit_code, 0);
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "x_m,breadth_m,draught_m,area_m2,h0,sigma,a1,a3,lewis_class,replaced");
+  int rows = 0;
+  std::string replaced;
+  while (std::getline(lines, line)) {
+    ++rows;
+    if (line.substr(line.size() - 2) == ",1") {
+      replaced += line.substr(0, line.find(',')) + " ";
+    }
+    if (line.rfind("87.5,", 0) == 0) {  // amidships: B/2T and A/BT
+      EXPECT_EQ(line.rfind("87.5,25.4,9.5,233.15", 0), 0U) << line;
+      EXPECT_NE(line.find(",1.336842105,0.966"), std::string::npos) << line;
+    }
+  }
+  EXPECT_EQ(rows, 24);
+  EXPECT_EQ(replaced, "8.75 175 ");  // the re-entrant skeg and the bulb at the forward perpendicular
+}
+
 TEST(HullTool, ShipThatIsUnstableIsRefusedWithTheGreatestKg) {
   const ChangedHull top_heavy("kg_m = 9.55", "kg_m = 12.0");
   expect_one_line_refusal(
