@@ -103,11 +103,11 @@ enum class NoAdvice : std::uint8_t {
 
 struct Advice {
   NoAdvice no_advice = NoAdvice::kNotConfigured;  // kNone: the rest is valid
-  Heading heading;
+  Heading heading{};
   double speed = 0.0;  // m/s
-  Cell present;        // at the present course and speed
+  Cell present{};      // at the present course and speed
   StaticVector<Change, kMaxChanges>
-      changes;                   // ranked, smallest first; empty when none is needed or none helps
+      changes{};                 // ranked, smallest first; empty when none is needed or none helps
   bool change_needed = false;    // present verdict is not good
   bool none_is_good = false;     // needed, and no cell is good: changes lead to the best that can be had
   bool no_change_helps = false;  // needed, and no cell is better

@@ -36,11 +36,11 @@ struct QuantityResponse {
 
 /// 70 quantities of about 130 bytes: static. `cell` holds verdict, governing criterion and margin.
 struct CellResponse {
-  Heading heading;
+  Heading heading{};
   double speed = 0.0;  // m/s
   std::size_t num_systems = 0;
-  Cell cell;
-  StaticVector<QuantityResponse, kMaxChannels> quantities;
+  Cell cell{};
+  StaticVector<QuantityResponse, kMaxChannels> quantities{};
 };
 
 /// Any heading; speed within the solved speeds. Cost: that of response_moments.

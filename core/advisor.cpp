@@ -1,0 +1,253 @@
+#include "core/advisor.hpp"
+
+#include <cmath>
+#include <span>
+
+#include "core/advice/ranking.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr double kLowLengthBreadth = 3.0;  // [Journee1992] §2: strip theory needs L/B of about three
+
+Result<std::size_t> count_headings(const GridDefinition& grid) {
+  if (!(grid.heading_step > 0.0) || !(grid.heading_step <= kTwoPi)) {
+    return Error::kOutOfRange;
+  }
+  const double count = kTwoPi / grid.heading_step;
+  const auto rounded = static_cast<std::size_t>(std::lround(count));
+  const bool divides = rounded <= kNumDirections && kNumDirections % rounded == 0;
+  constexpr double kRounding = 1e-6;  // degrees converted to radians
+  if (!divides || std::abs(count - static_cast<double>(rounded)) > kRounding) {
+    return Error::kOutOfRange;
+  }
+  return rounded;
+}
+
+struct SpeedList {
+  std::size_t count = 0;
+  std::array<double, kMaxSpeeds> speeds{};
+};
+
+Result<SpeedList> list_speeds(const GridDefinition& grid) {
+  if (!(grid.speed_from >= 0.0) || !(grid.speed_to >= grid.speed_from) || !std::isfinite(grid.speed_to)) {
+    return Error::kOutOfRange;
+  }
+  constexpr double kRounding = 1e-6;  // of a step: knots converted to m/s
+  const double range = grid.speed_to - grid.speed_from;
+  if (range > 0.0 && !(grid.speed_step > 0.0)) {
+    return Error::kOutOfRange;
+  }
+  const double steps = range > 0.0 ? std::floor(range / grid.speed_step + kRounding) : 0.0;
+  if (!(steps < static_cast<double>(kMaxSpeeds))) {
+    return Error::kTooMany;
+  }
+  SpeedList list{.count = static_cast<std::size_t>(steps) + 1};
+  for (std::size_t v = 0; v < list.count; ++v) {
+    list.speeds[v] = grid.speed_from + grid.speed_step * static_cast<double>(v);
+  }
+  return list;
+}
+
+std::uint32_t hull_quality(const LoadedHull& loaded, const Loading& loading) {
+  std::uint32_t quality = 0;
+  if (loaded.has_replaced_section) {
+    quality |= kQualityReplacedSection;
+  }
+  if (loaded.lpp < kLowLengthBreadth * loaded.breadth) {
+    quality |= kQualityLowLengthBreadth;
+  }
+  if (!loading.free_surface_correction && !loading.gm) {
+    quality |= kQualityFreeSurfaceUnknown;
+  }
+  return quality;
+}
+
+}  // namespace
+
+Status Advisor::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method) {
+  state_ = State::kNotConfigured;
+  has_sea_ = false;
+  hull_ = hull;
+  criteria_ = criteria;
+  method_ = method;
+  loading_ = hull.loading;
+  if (const Status status = check_criteria(criteria_, hull_); !status) {
+    return status;
+  }
+  const Result<std::size_t> headings = count_headings(hull_.grid);
+  if (!headings) {
+    return headings.error();
+  }
+  num_headings_ = *headings;
+  if (const Status status = build(loading_); !status) {
+    return status;
+  }
+  state_ = State::kReady;
+  return {};
+}
+
+Status Advisor::build(const Loading& loading) {
+  if (const Status status = load(hull_, loading, method_, loaded_); !status) {
+    return status;
+  }
+  if (const Status status = list_channels(hull_, loading, loaded_.hydrostatics, watch_); !status) {
+    return status;
+  }
+  channels_ = bind_criteria(criteria_, watch_);
+  return solve_speeds();
+}
+
+Status Advisor::solve_speeds() {
+  const Result<SpeedList> list = list_speeds(hull_.grid);
+  if (!list) {
+    return list.error();
+  }
+  return solve_transfer_functions(loaded_, std::span(list->speeds).first(list->count), transfer_);
+}
+
+Status Advisor::rebuild() {
+  if (state_ == State::kNotConfigured) {
+    return Error::kNotConfigured;
+  }
+  if (state_ != State::kRebuildDue) {
+    return {};
+  }
+  has_sea_ = false;  // it was placed on the frequencies of the former loading
+  const Status status = build(loading_);
+  state_ = status ? State::kReady : State::kLoadingRefused;
+  return status;
+}
+
+const StepOutput& Advisor::step(const StepInputs& inputs) {
+  const NoAdvice reason = take_inputs(inputs);
+  if (reason != NoAdvice::kNone) {
+    withhold(reason);
+    return output_;
+  }
+  if (const NoAdvice refused = advise(*inputs.own_ship); refused != NoAdvice::kNone) {
+    withhold(refused);
+  }
+  return output_;
+}
+
+NoAdvice Advisor::take_inputs(const StepInputs& inputs) {
+  has_sea_ = false;
+  if (state_ == State::kNotConfigured) {
+    return NoAdvice::kNotConfigured;
+  }
+  // A new loading is taken up even while another input is missing: the hull is ready when that comes back.
+  const NoAdvice loading = take_loading(inputs);
+  if (inputs.no_advice != NoAdvice::kNone) {
+    return inputs.no_advice;
+  }
+  if (loading != NoAdvice::kNone) {
+    return loading;
+  }
+  if (inputs.own_ship == nullptr) {
+    return NoAdvice::kOwnShipMissing;
+  }
+  if (!std::isfinite(inputs.own_ship->heading.radians) || !std::isfinite(inputs.own_ship->speed)) {
+    return NoAdvice::kOwnShipImplausible;
+  }
+  return place_sea(inputs);
+}
+
+NoAdvice Advisor::take_loading(const StepInputs& inputs) {
+  if (inputs.loading != nullptr && !(*inputs.loading == loading_)) {
+    if (!(*inputs.loading == *inputs.loading)) {
+      return NoAdvice::kLoadingImplausible;  // holds a NaN: would be new every time
+    }
+    loading_ = *inputs.loading;
+    state_ = State::kRebuildDue;
+  }
+  if (state_ == State::kLoadingRefused) {
+    return NoAdvice::kLoadingImplausible;
+  }
+  return state_ == State::kRebuildDue ? NoAdvice::kLoadingChanged : NoAdvice::kNone;
+}
+
+NoAdvice Advisor::place_sea(const StepInputs& inputs) {
+  const auto omega = std::span(transfer_.omega).first(transfer_.num_frequencies);
+  Status status;
+  if (inputs.spectrum != nullptr) {
+    status = place_on_grid(*inputs.spectrum, omega, sea_);
+  } else if (inputs.sea_state != nullptr) {
+    status = place_on_grid(*inputs.sea_state, omega, sea_);
+  } else {
+    return NoAdvice::kSeaMissing;
+  }
+  has_sea_ = status.ok();
+  return has_sea_ ? NoAdvice::kNone : NoAdvice::kSeaImplausible;
+}
+
+NoAdvice Advisor::advise(const OwnShip& ship) {
+  output_.quality = hull_quality(loaded_, loading_) | (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
+  const GridInputs inputs = grid_inputs(output_.quality);
+  output_.hs = sea_.hs;
+  output_.lost_tail = sea_.lost_tail;
+  output_.num_systems = sea_.num_systems;
+  output_.systems = sea_.system;
+  if (!sweep_grid(inputs, workspace_, output_.grid)) {
+    return NoAdvice::kInternal;
+  }
+  const Status status = respond(inputs, ship.heading, ship.speed, output_.present);
+  if (status.error() == Error::kSpeedOutOfGrid) {
+    output_.advice =
+        Advice{.no_advice = NoAdvice::kSpeedOutsideGrid, .heading = ship.heading, .speed = ship.speed};
+    output_.present = CellResponse{.heading = ship.heading, .speed = ship.speed};
+    return NoAdvice::kNone;  // the grid stays
+  }
+  if (!status) {
+    return NoAdvice::kInternal;
+  }
+  const Present present{
+      .heading = {wrap_two_pi(ship.heading.radians)},
+      .speed = ship.speed,
+      .following_seas = is_from_astern(output_.present.cell.governing_system, ship.heading)};
+  rank_changes(output_.grid, present, output_.present.cell, output_.advice);
+  return NoAdvice::kNone;
+}
+
+void Advisor::withhold(NoAdvice reason) {
+  has_sea_ = false;
+  output_.advice = Advice{.no_advice = reason};
+  output_.present = CellResponse{};
+  output_.quality = 0;
+  output_.hs = 0.0;
+  output_.lost_tail = 0.0;
+  output_.num_systems = 0;
+  output_.systems = {};
+  output_.grid.num_speeds = transfer_.num_speeds;
+  output_.grid.num_headings = num_headings_;
+  output_.grid.speeds = transfer_.speeds;
+  for (auto& row : output_.grid.cells) {
+    row.fill(Cell{});  // unknown: never yesterday's green
+  }
+}
+
+GridInputs Advisor::grid_inputs(std::uint32_t quality) const {
+  return {.transfer = transfer_,
+          .watch = watch_,
+          .criteria = criteria_,
+          .channels = channels_,
+          .sea = sea_,
+          .num_headings = num_headings_,
+          .lpp = hull_.lpp,
+          .min_steerage_speed = hull_.min_steerage_speed,
+          .quality = quality};
+}
+
+bool Advisor::is_from_astern(std::uint8_t system, Heading heading) const {
+  return system < sea_.num_systems &&
+         std::cos(encounter_angle(heading, sea_.system[system].from).radians) > 0.0;
+}
+
+Status Advisor::respond_at(Heading heading, double speed, CellResponse& out) const {
+  if (!has_sea_) {
+    return Error::kNotConfigured;
+  }
+  return respond(grid_inputs(output_.quality), heading, speed, out);
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,93 @@
+// The advisor: configure once, then one step a cycle. Owns all of its memory (about 10 MB: make it static,
+// never on the stack); allocates nothing, knows no clock, reads no file.
+//
+//   static Advisor advisor;
+//   advisor.configure(hull, criteria, method);        // builds the loaded hull's transfer functions
+//   for each cycle:
+//     const StepOutput& output = advisor.step(inputs);
+//     publish(output);
+//     if (advisor.is_rebuild_due()) advisor.rebuild(); // a new loading: the step said kLoadingChanged
+//
+// Cost on one ordinary core, S-175, default criteria: step about 50 ms for 25 speeds x 72 headings in a sea
+// with energy from every direction; configure and rebuild as solve_transfer_functions. All loops are bounded
+// by capacity.hpp. Not thread-safe: one thread steps and rebuilds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/advice/criteria.hpp"
+#include "core/advice/grid.hpp"
+#include "core/advice/step.hpp"
+#include "core/advice/verdict.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/result.hpp"
+#include "core/hull/hull.hpp"
+#include "core/response/watch.hpp"
+#include "core/sea/sea_energy.hpp"
+#include "core/strip/loaded_hull.hpp"
+#include "core/strip/method.hpp"
+#include "core/strip/transfer_functions.hpp"
+
+namespace quickstrip {
+
+class Advisor {
+ public:
+  /// With the hull's own loading. Errors: those of check_criteria, load, list_channels,
+  /// solve_transfer_functions; kOutOfRange or kTooMany for the grid definition. After an error not
+  /// configured.
+  Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method);
+
+  /// One cycle. The reference stays valid until the next step.
+  const StepOutput& step(const StepInputs& inputs);
+
+  /// A step met a loading that is not the one in force.
+  [[nodiscard]] bool is_rebuild_due() const { return state_ == State::kRebuildDue; }
+
+  /// Builds the transfer functions for the loading that the last step met; after success steps give advice
+  /// for it. After an error they say kLoadingImplausible until another loading comes. Ok and idle when none
+  /// is due.
+  Status rebuild();
+
+  /// Every quantity at any course and speed of the grid, in the sea of the last step that gave advice or said
+  /// kSpeedOutsideGrid. Errors: kNotConfigured (no such step), kSpeedOutOfGrid, kNotFinite.
+  Status respond_at(Heading heading, double speed, CellResponse& out) const;
+
+  [[nodiscard]] const Criteria& criteria() const { return criteria_; }
+  [[nodiscard]] const Hull& hull() const { return hull_; }
+  [[nodiscard]] const LoadedHull& loaded_hull() const { return loaded_; }
+  [[nodiscard]] const TransferFunctions& transfer_functions() const { return transfer_; }
+
+ private:
+  enum class State : std::uint8_t { kNotConfigured, kReady, kRebuildDue, kLoadingRefused };
+
+  Status build(const Loading& loading);
+  Status solve_speeds();
+  NoAdvice take_loading(const StepInputs& inputs);
+  NoAdvice take_inputs(const StepInputs& inputs);
+  NoAdvice place_sea(const StepInputs& inputs);
+  NoAdvice advise(const OwnShip& ship);
+  void withhold(NoAdvice reason);
+  [[nodiscard]] GridInputs grid_inputs(std::uint32_t quality) const;
+  [[nodiscard]] bool is_from_astern(std::uint8_t system, Heading heading) const;
+
+  State state_ = State::kNotConfigured;
+  bool has_sea_ = false;
+  Hull hull_;
+  Criteria criteria_;
+  StripMethod method_;
+  Loading loading_;  // in force, due or refused: see state_
+  std::size_t num_headings_ = 0;
+  LoadedHull loaded_;
+  TransferFunctions transfer_;
+  Watch watch_;
+  CriteriaChannels channels_;
+  SeaEnergy sea_;
+  GridWorkspace workspace_;
+  StepOutput output_;
+};
+
+static_assert(sizeof(Advisor) < 16u << 20u, "the advisor's memory is a promise");
+
+}  // namespace quickstrip
