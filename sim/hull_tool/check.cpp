@@ -71,6 +71,10 @@ void report_hydrostatics(const FloatingHull& ship, std::string& text) {
   line(text, "GM", fmt::format("{:.3f} m, longitudinal {:.3f} m", h.gm, h.gml));
   line(text, "CB, CM, CWP", fmt::format("{:.4f}, {:.4f}, {:.4f}", h.cb, h.cm, h.cwp));
   const double draught = 0.5 * (loading.draught_aft + loading.draught_fwd);
+  constexpr double kShortestShip = 24.0;  // m: the IS Code's formula is not for models
+  if (ship.hull.lpp < kShortestShip) {
+    return;
+  }
   if (const auto period = imo_roll_period(ship.hull.lpp, ship.hull.breadth, draught, h.gm)) {
     line(text, "roll period", fmt::format("about {:.3g} s by the IS Code's formula", *period));
   }

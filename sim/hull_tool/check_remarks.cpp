@@ -19,6 +19,7 @@ constexpr double kBreadthMismatch = 0.01;
 constexpr double kWidestGap = 1.0 / 8.0;     // of lpp: 9 stations
 constexpr double kMissingEnd = 0.02;         // of lpp
 constexpr double kTrim = 0.02;               // of lpp: sections are cut vertically to the base line
+constexpr double kShortestShip = 24.0;       // m: the IS Code's formula is for ships
 constexpr double kRollPeriodMismatch = 0.2;  // of the IS Code's estimate
 
 void remark_form(const FloatingHull& ship, Remarks& remarks) {
@@ -46,11 +47,11 @@ void remark_form(const FloatingHull& ship, Remarks& remarks) {
     remarks.push_back(
         fmt::format("stations are {:g} m apart at x_m = {:g}: more than lpp/8 is coarse", gap, gap_x));
   }
-  if (ship.sections.front().x > kMissingEnd * hull.lpp ||
-      ship.sections.back().x < (1.0 - kMissingEnd) * hull.lpp) {
-    remarks.push_back(
-        fmt::format("immersed stations span x_m = {:g} ... {:g} of lpp_m = {:g}: the hull ends there",
-                    ship.sections.front().x, ship.sections.back().x, hull.lpp));
+  const double aft = hull.stations.front().x;
+  const double fore = hull.stations.back().x;
+  if (aft > kMissingEnd * hull.lpp || fore < (1.0 - kMissingEnd) * hull.lpp) {
+    remarks.push_back(fmt::format("stations span x_m = {:g} ... {:g} of lpp_m = {:g}: the hull ends there",
+                                  aft, fore, hull.lpp));
   }
 }
 
@@ -83,7 +84,7 @@ void remark_stability(const FloatingHull& ship, Remarks& remarks) {
   const Hydrostatics& h = ship.hydrostatics;
   const auto estimate = imo_roll_period(ship.hull.lpp, ship.hull.breadth,
                                         0.5 * (loading.draught_aft + loading.draught_fwd), h.gm);
-  if (loading.measured_roll_period && estimate &&
+  if (loading.measured_roll_period && estimate && ship.hull.lpp >= kShortestShip &&
       std::abs(*loading.measured_roll_period - *estimate) > kRollPeriodMismatch * *estimate) {
     remarks.push_back(
         fmt::format("loading.measured_roll_period_s = {:g} is far from the IS Code's estimate, {:.1f} s",

@@ -85,7 +85,7 @@ Hull wigley_hull(int which, std::size_t stations, std::size_t points) {
   hull.breadth = wigley_breadth(which);
   hull.loading.draught_aft = kWigleyDraught;
   hull.loading.draught_fwd = kWigleyDraught;
-  hull.loading.kg = which == 1 || which == 3 ? 0.13 : 0.17;
+  hull.loading.kg = which == 1 ? 0.12 : which == 3 ? 0.13 : 0.17;  // GM 0.02 ... 0.12 m
   hull.loading.water_density = 1000.0;
   hull.loading.viscosity = 1.14e-6;  // fresh water of 15 degrees [ITTC 7.5-02-01-03]
   fill_common(hull, kWigleyDeck);

@@ -1,0 +1,49 @@
+#include "sim/hull_tool/method_options.hpp"
+
+namespace quickstrip::hull_tool {
+namespace {
+
+void add_choice(CLI::App& command, const char* name, std::optional<std::string>& value, const char* first,
+                const char* second, const std::string& description) {
+  command.add_option(name, value, description + "; default " + first)
+      ->check(CLI::IsMember({first, second}))
+      ->type_name("")
+      ->group("METHOD");
+}
+
+}  // namespace
+
+StripMethod MethodOptions::method() const {
+  StripMethod method = paper ? kPaperMethod : StripMethod{};
+  if (variant) {
+    method.variant = *variant == "ordinary" ? StripVariant::kOrdinary : StripVariant::kModified;
+  }
+  if (end_terms) {
+    method.end_terms = *end_terms == "on";
+  }
+  if (loads) {
+    method.loads = *loads == "haskind" ? DiffractionLoads::kHaskind : DiffractionLoads::kClassic;
+  }
+  if (surge) {
+    method.surge = *surge == "full" ? SurgeTerms::kFull : SurgeTerms::kInertiaOnly;
+  }
+  if (low_encounter) {
+    method.low_encounter = *low_encounter == "floor" ? LowEncounterRule::kFloor : LowEncounterRule::kPaper;
+  }
+  return method;
+}
+
+void add_method_options(CLI::App& command, MethodOptions& options) {
+  add_choice(command, "--method", options.variant, "ordinary", "modified", "strip theory");
+  add_choice(command, "--end-terms", options.end_terms, "on", "off", "jump of added mass at the hull's ends");
+  add_choice(command, "--loads", options.loads, "haskind", "classic", "diffraction loads");
+  add_choice(command, "--surge", options.surge, "full", "inertia-only", "surge coefficients");
+  add_choice(command, "--low-encounter", options.low_encounter, "floor", "paper",
+             "rule near zero encounter frequency");
+  command
+      .add_flag("--paper", options.paper,
+                "as [Journee1992]: ordinary, end terms on, classic, paper, pressures on Lewis contours")
+      ->group("METHOD");
+}
+
+}  // namespace quickstrip::hull_tool

@@ -1,0 +1,59 @@
+#include "sim/hull_tool/method_options.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quickstrip::hull_tool {
+namespace {
+
+StripMethod parse(const std::string& arguments) {
+  CLI::App app;
+  MethodOptions options;
+  add_method_options(app, options);
+  app.parse(arguments);
+  return options.method();
+}
+
+bool same(const StripMethod& a, const StripMethod& b) {
+  return a.variant == b.variant && a.end_terms == b.end_terms && a.loads == b.loads && a.surge == b.surge &&
+         a.low_encounter == b.low_encounter && a.contour == b.contour;
+}
+
+TEST(MethodOptions, FirstOfEachIsTheDefault) {
+  EXPECT_TRUE(same(parse(""), StripMethod{}));
+  EXPECT_TRUE(
+      same(parse("--method ordinary --end-terms on --loads haskind --surge full --low-encounter floor"),
+           StripMethod{}));
+}
+
+TEST(MethodOptions, SecondOfEachChangesThatChoiceAlone) {
+  StripMethod expected;
+  expected.variant = StripVariant::kModified;
+  EXPECT_TRUE(same(parse("--method modified"), expected));
+  expected = {};
+  expected.end_terms = false;
+  EXPECT_TRUE(same(parse("--end-terms off"), expected));
+  expected = {};
+  expected.loads = DiffractionLoads::kClassic;
+  EXPECT_TRUE(same(parse("--loads classic"), expected));
+  expected = {};
+  expected.surge = SurgeTerms::kInertiaOnly;
+  EXPECT_TRUE(same(parse("--surge inertia-only"), expected));
+  expected = {};
+  expected.low_encounter = LowEncounterRule::kPaper;
+  EXPECT_TRUE(same(parse("--low-encounter paper"), expected));
+}
+
+TEST(MethodOptions, PaperIsOrdinaryEndTermsClassicPaperAndTakesAChoiceBesideIt) {
+  EXPECT_TRUE(same(parse("--paper"), kPaperMethod));
+  StripMethod expected = kPaperMethod;
+  expected.surge = SurgeTerms::kInertiaOnly;
+  EXPECT_TRUE(same(parse("--surge inertia-only --paper"), expected));
+}
+
+TEST(MethodOptions, OtherWordsAreWrongUse) {
+  EXPECT_THROW(parse("--method strip"), CLI::ParseError);
+  EXPECT_THROW(parse("--end-terms yes"), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace quickstrip::hull_tool
