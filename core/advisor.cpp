@@ -235,7 +235,8 @@ GridInputs Advisor::grid_inputs(std::uint32_t quality) const {
           .num_headings = num_headings_,
           .lpp = hull_.lpp,
           .min_steerage_speed = hull_.min_steerage_speed,
-          .quality = quality};
+          .quality = quality,
+          .suppresses_low_encounter = method_.low_encounter == LowEncounterRule::kPaper};
 }
 
 bool Advisor::is_from_astern(std::uint8_t system, Heading heading) const {

@@ -49,7 +49,8 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   out.heading = heading;
   out.speed = speed;
   out.num_systems = inputs.sea.num_systems;
-  out.cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, speed));
+  out.cell =
+      judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, heading, speed));
   if (out.cell.governing != kNoCriterion) {
     out.cell.governing_system = largest_system(moments[inputs.channels.of_criterion[out.cell.governing]]);
   }

@@ -175,7 +175,7 @@ Status check_inputs(const GridInputs& inputs, const GridWorkspace& workspace) {
 
 }  // namespace
 
-CellCircumstances circumstances(const GridInputs& inputs, double speed) {
+CellCircumstances circumstances(const GridInputs& inputs, Heading heading, double speed) {
   CellCircumstances known{.quality = inputs.quality};
   if (speed > kHighFroude * std::sqrt(inputs.watch.gravity * inputs.lpp)) {
     known.quality |= kQualityHighFroude;
@@ -185,6 +185,10 @@ CellCircumstances circumstances(const GridInputs& inputs, double speed) {
   }
   if (speed < inputs.min_steerage_speed) {
     known.hazards |= kHazardNoSteerage;
+  }
+  if (inputs.suppresses_low_encounter) {
+    const Result<double> share = low_encounter_wave_share(inputs.transfer, inputs.sea, heading, speed);
+    known.low_encounter_share = share ? *share : 1.0;
   }
   return known;
 }
@@ -203,9 +207,10 @@ Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out)
     for (std::size_t m = 0; m < kNumDirections; ++m) {
       fill_direction(inputs, v, m, workspace);
     }
-    const CellCircumstances known = circumstances(inputs, out.speeds[v]);
     for (std::size_t h = 0; h < out.num_headings; ++h) {
-      out.cells[v][h] = sweep_cell(inputs, workspace, h * directions_per_heading, known);
+      const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(out.num_headings)};
+      out.cells[v][h] = sweep_cell(inputs, workspace, h * directions_per_heading,
+                                   circumstances(inputs, heading, out.speeds[v]));
     }
   }
   return {};

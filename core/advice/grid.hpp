@@ -37,6 +37,7 @@ struct GridInputs {
   double lpp = 0.0;                         // m, for the Froude number
   double min_steerage_speed = 0.0;          // m/s
   std::uint32_t quality = 0;                // bits of the hull and its loading
+  bool suppresses_low_encounter = false;    // LowEncounterRule::kPaper: loads forced to zero there
 };
 
 /// One energy per relative direction and frequency: |H|^2 of a channel, or |H|^2 omega_e^2.
@@ -61,7 +62,7 @@ struct GridWorkspace {
 /// kOutOfRange (num_headings), kTooMany (sea and transfer functions have different frequencies).
 Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out);
 
-/// Quality and hazard bits that a cell has before anything is computed.
-CellCircumstances circumstances(const GridInputs& inputs, double speed);
+/// What is known of a cell before its moments are. speed within the solved speeds.
+CellCircumstances circumstances(const GridInputs& inputs, Heading heading, double speed);
 
 }  // namespace quickstrip

@@ -179,6 +179,7 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
   if (!needed_are_finite(channels, moments)) {
     return cell;
   }
+  cell.low_encounter_share = static_cast<float>(circumstances.low_encounter_share);
   Tally tally;
   tally.any_unwatched = criteria.empty();  // without a limit nothing is known to be good
   for (std::size_t i = 0; i < criteria.size(); ++i) {

@@ -47,6 +47,7 @@ double height_margin(const Criterion& criterion, const Channel& channel, const R
 struct CellCircumstances {
   std::uint32_t quality = 0;
   std::uint16_t hazards = 0;
+  double low_encounter_share = 0.0;  // of the wave energy, where loads are forced to zero there; else 0
 };
 
 /// moments: one per channel; those not needed may be zero. Governing: the smallest margin, the first of

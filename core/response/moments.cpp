@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/check.hpp"
 
@@ -99,6 +100,17 @@ void add_direction(const TransferFunctions& transfer, std::size_t speed, std::si
   }
 }
 
+/// The part of `energy` below the floor at one solved speed.
+double low_encounter_energy(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
+                            const RelativeEnergy& energy) {
+  const TransferRow& row = transfer.solved[speed][solved_direction(m)];
+  double low = 0.0;
+  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+    low += row[f].low_encounter ? energy.total[f] : 0.0;
+  }
+  return low;
+}
+
 }  // namespace
 
 EncounterAngle relative_direction(std::size_t m) {
@@ -148,6 +160,29 @@ Status response_moments(const TransferFunctions& transfer, const Watch& watch, c
     return std::isfinite(moments.m0) && std::isfinite(moments.m2);
   });
   return finite ? Status() : Status(Error::kNotFinite);
+}
+
+Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea,
+                                        Heading heading, double speed) {
+  if (!std::isfinite(heading.radians)) {
+    return Error::kNotFinite;
+  }
+  const Result<SpeedBracket> bracket = bracket_speed(transfer, speed);
+  if (!bracket) {
+    return bracket.error();
+  }
+  double low = 0.0;
+  double all = 0.0;
+  for (std::size_t m = 0; m < kNumDirections; ++m) {
+    const RelativeEnergy energy = relative_energy(sea, heading, m);
+    if (energy.is_empty) {
+      continue;
+    }
+    low += (1.0 - bracket->part) * low_encounter_energy(transfer, bracket->lower, m, energy) +
+           bracket->part * low_encounter_energy(transfer, bracket->upper, m, energy);
+    all = std::accumulate(energy.total.begin(), energy.total.end(), all);
+  }
+  return all > 0.0 ? low / all : 0.0;
 }
 
 }  // namespace quickstrip

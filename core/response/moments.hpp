@@ -34,6 +34,12 @@ struct ResponseMoments {
 Status response_moments(const TransferFunctions& transfer, const Watch& watch, const SeaEnergy& sea,
                         Heading heading, double speed, std::span<ResponseMoments> out);
 
+/// The share of the wave energy itself that meets the ship below the encounter-frequency floor, in [0, 1].
+/// Needed where loads are forced to zero there ([Journee1992] §2): the variances then do not show what they
+/// lack. Errors: kSpeedOutOfGrid, kNotFinite.
+Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea,
+                                        Heading heading, double speed);
+
 /// mu of direction index m of the full circle, in (-pi, pi]: 2 pi m / kNumDirections.
 EncounterAngle relative_direction(std::size_t m);
 

@@ -187,6 +187,28 @@ TEST_F(GridSweep, DoesNotCallFollowingSeasGoodWhereEncounterFrequencyVanishes) {
   EXPECT_EQ(scene_->grid.cells[8][36].verdict, Verdict::kGood);  // the same sea from ahead
 }
 
+TEST_F(GridSweep, DoesNotCallFollowingSeasGoodWhereTheirLoadsAreForcedToZero) {
+  // Then the variances hold nothing of them: the share of the wave energy speaks.
+  synthetic::fill(scene_->transfer, 9, 1.0, 40, [](double speed, double mu, double omega) {
+    MotionTransfer transfer = unit_response(speed, mu, omega);
+    if (std::abs(omega - omega * omega / kStandardGravity * speed * std::cos(mu)) < 0.1) {
+      transfer.motion.fill(0.0);
+    }
+    return transfer;
+  });
+  only_roll_limit(10.0);
+  synthetic::add_system(scene_->sea, scene_->transfer, 0, 1.0, 5.2, 36, 0);
+  scene_->sweep();
+  EXPECT_EQ(scene_->grid.cells[8][0].low_encounter_share, 0.0F);  // the trap
+  scene_->suppresses_low_encounter = true;
+  scene_->sweep();
+  EXPECT_GT(scene_->grid.cells[8][0].low_encounter_share, 0.2F);
+  EXPECT_EQ(scene_->grid.cells[8][0].verdict, Verdict::kUnknown);
+  EXPECT_EQ(scene_->grid.cells[8][36].verdict, Verdict::kGood);
+  ASSERT_TRUE(respond(scene_->inputs(), {0.0}, 8.0, scene_->response).ok());
+  EXPECT_EQ(scene_->response.cell.verdict, Verdict::kUnknown);
+}
+
 TEST_F(GridSweep, LandsOnTheLimitWhenHeightsAreScaledByTheMarginOfACell) {
   add_crossing_seas();
   scene_->sweep();
