@@ -174,6 +174,18 @@ TEST_F(Moments, PutTheChannelsWhereTheHullHasThem) {
   EXPECT_EQ(watch_.channels.size(), 6u + 2u * 3u + 1u + 1u);
 }
 
+TEST_F(Moments, GiveAKeelThatIsOutOfTheWaterAtRestNoDraught) {
+  for (const std::size_t fore : {3u, 4u}) {
+    auto& station = hull_->stations[fore];
+    station.offsets.clear();
+    for (const Offset& offset : {Offset{0.0, 6.0}, Offset{8.0, 6.0}, Offset{8.0, 10.0}}) {
+      ASSERT_TRUE(station.offsets.push_back(offset));
+    }
+  }
+  ASSERT_TRUE(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).ok());
+  EXPECT_EQ(watch_.channels[channel(Quantity::kSlamming)].level, 0.0);
+}
+
 TEST_F(Moments, RefuseAStationOffTheHullAndADeckUnderWater) {
   hull_->slamming[0].x = 101.0;
   EXPECT_EQ(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).error(),
