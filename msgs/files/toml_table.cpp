@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -136,6 +137,25 @@ std::string TomlTable::text(std::string_view key) const {
     refuse(key, "a text in quotes is wanted");
   }
   return node->value<std::string>().value_or("");
+}
+
+std::int64_t TomlTable::utime(std::string_view key) const {
+  constexpr std::string_view kWanted =
+      "a date and time of 1970 to 2100 with its offset, such as 2019-08-30T00:00:00Z, is wanted";
+  const toml::value<toml::date_time>* value = impl_->table->get_as<toml::date_time>(key);
+  if (value == nullptr) {
+    refuse(key, kWanted);
+  }
+  const toml::date_time& when = value->get();
+  const std::chrono::year_month_day day{std::chrono::year{when.date.year},
+                                        std::chrono::month{when.date.month}, std::chrono::day{when.date.day}};
+  const bool is_in_range = when.date.year >= 1970 && when.date.year < 2100 && day.ok();
+  if (!is_in_range || !when.offset.has_value()) {
+    refuse(key, kWanted);
+  }
+  const std::int64_t days = std::chrono::sys_days(day).time_since_epoch().count();
+  const std::int64_t minutes = days * 1440 + when.time.hour * 60 + when.time.minute - when.offset->minutes;
+  return (minutes * 60 + when.time.second) * 1'000'000 + when.time.nanosecond / 1000;
 }
 
 std::size_t TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {

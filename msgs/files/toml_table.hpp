@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -38,6 +39,8 @@ class TomlTable {
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, NumberRange range) const;
   [[nodiscard]] double number_or(std::string_view key, NumberRange range, double fallback) const;
   [[nodiscard]] std::string text(std::string_view key) const;
+  /// A date and time with its offset (2019-08-30T00:00:00Z), 1970 ... 2100; microseconds since the epoch.
+  [[nodiscard]] std::int64_t utime(std::string_view key) const;
   /// One of `choices`; returns its index.
   [[nodiscard]] std::size_t choice(std::string_view key,
                                    std::initializer_list<std::string_view> choices) const;
