@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kValley = 0.65;            // of the lower peak: above it there is no valley
 constexpr double kCloseness = 0.5;          // of the smaller mean square spread
-constexpr double kSmallest = 0.01;          // of the energy
+constexpr double kSmallest = 0.02;          // of the energy
 constexpr std::size_t kMaxCandidates = 32;  // basins that may become systems, by energy
 
 /// A place in the plane omega (cos, sin) of the direction.

@@ -1,11 +1,11 @@
 // Division of a measured directional spectrum into at most six wave systems, without losing energy.
 //
-// 1. The spectrum is smoothed (1-2-1 over frequency and direction), for the search only.
+// 1. The spectrum is smoothed (1-2-1 over frequency and direction, twice), for the search only.
 // 2. Watershed by steepest ascent: cells in descending order join the highest neighbour (of eight) that has
 //    been seen; a cell without one is a peak. Where two basins meet above 0.65 of the lower peak there is no
 //    valley, and they are one.
 // 3. Basins closer than half the smaller one's spread in the plane omega (cos, sin) are one; so are, nearest
-//    first, basins of less than 1 % of the energy and what exceeds six.
+//    first, basins of less than 2 % of the energy and what exceeds six.
 // 4. Every remaining cell goes to the nearest system. Each cell belongs to exactly one system.
 // After Hanson and Phillips 2001 (J. Atmos. Oceanic Technol. 18, 278-293) and Portilla et al. 2009 (26,
 // 107-122); the thresholds are ours, chosen on a buoy's record of a hurricane.

