@@ -42,6 +42,16 @@ TEST(ListOption, RefusesWhatIsNoListOfFiniteNumbersInRange) {
   }
 }
 
+TEST(ListOption, NegativeNumbersAreValuesNotOptions) {
+  for (const char* arguments : {"--mu-deg -90,0", "--mu-deg=-90,0", "--mu-deg -90:0:90"}) {
+    CLI::App app;
+    Values values;
+    add_list(app, "--mu-deg", values, {-360.0, 360.0}, "direction");
+    app.parse(arguments);
+    EXPECT_EQ(values, (Values{-90.0, 0.0})) << arguments;
+  }
+}
+
 TEST(ListOption, RefusalNamesOptionValueAndRange) {
   try {
     parse_list("--speed-kn", "70", {0.0, 60.0});
