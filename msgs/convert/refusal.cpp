@@ -36,6 +36,8 @@ const char* message(Refusal refusal) {
       return "the speed lies outside the grid";
     case Refusal::kNotReady:
       return "there is no advice to explain";
+    case Refusal::kFromTheFuture:
+      return "the time of measurement lies in the future";
   }
   return "unknown reason";
 }

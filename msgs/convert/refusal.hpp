@@ -24,6 +24,7 @@ enum class Refusal : std::int16_t {
   kInconsistent = 13,      // fields that contradict each other
   kSpeedOutsideGrid = 14,  // a query for a speed that is not swept
   kNotReady = 15,          // a query while there is no advice
+  kFromTheFuture = 16,     // measured later than our clock's time, by more than the tolerance
 };
 
 /// One short clause of English, no full stop.

@@ -1,0 +1,92 @@
+#include "firmware/advisor/inbox.hpp"
+
+#include <span>
+
+#include "msgs/convert/encode.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr int kQueueCapacity = 256;  // messages between two turns of the receiving thread
+constexpr int kWait_ms = 100;        // how long a stop may take
+constexpr int kMaxFailuresInRow = 10;
+
+template <typename Message>
+void take(const lcm::ReceiveBuffer& buffer, InboxSlot<Message>& slot) {
+  const auto* const bytes = static_cast<const std::uint8_t*>(buffer.data);
+  if (decode(std::span<const std::uint8_t>{bytes, buffer.data_size}, slot.newest.back())) {
+    slot.newest.publish();
+  } else {
+    slot.malformed.fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+}  // namespace
+
+Inbox::Inbox(lcm::LCM& bus, const std::string& prefix) : bus_(bus) {
+  subscribe(prefix + "SEA_STATE", sea_state);
+  subscribe(prefix + "WAVE_SPECTRUM", wave_spectrum);
+  subscribe(prefix + "OWN_SHIP", own_ship);
+  subscribe(prefix + "LOADING", loading);
+  subscribe(prefix + "QUERY", query);
+  subscribe(prefix + "ALERT_ACK", acknowledgement);
+  lcm::Subscription* const clock = bus_.subscribeFunction<Inbox*>(
+      prefix + "TIME",
+      [](const lcm::ReceiveBuffer* buffer, const std::string&, Inbox* inbox) {
+        take(*buffer, inbox->time);
+        inbox->time_has_come_.release();
+      },
+      this);
+  clock->setQueueCapacity(kQueueCapacity);
+  subscribe_count(prefix + "MOTION", motions);
+  subscribe_count(prefix + "SEA_FORECAST", forecasts);
+}
+
+Inbox::~Inbox() {
+  stop();
+}
+
+template <typename Message>
+void Inbox::subscribe(const std::string& channel, InboxSlot<Message>& slot) {
+  lcm::Subscription* const subscription = bus_.subscribeFunction<InboxSlot<Message>*>(
+      channel,
+      [](const lcm::ReceiveBuffer* buffer, const std::string&, InboxSlot<Message>* to) {
+        take(*buffer, *to);
+      },
+      &slot);
+  subscription->setQueueCapacity(kQueueCapacity);
+}
+
+void Inbox::subscribe_count(const std::string& channel, std::atomic<std::int64_t>& count) {
+  bus_.subscribeFunction<std::atomic<std::int64_t>*>(
+      channel,
+      [](const lcm::ReceiveBuffer*, const std::string&, std::atomic<std::int64_t>* num) {
+        num->fetch_add(1, std::memory_order_relaxed);
+      },
+      &count);
+}
+
+void Inbox::start() {
+  is_running_ = true;
+  thread_ = std::thread([this] { receive(); });
+}
+
+void Inbox::stop() {
+  is_running_ = false;
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void Inbox::receive() {
+  int failures = 0;
+  while (is_running_.load(std::memory_order_relaxed)) {
+    failures = bus_.handleTimeout(kWait_ms) < 0 ? failures + 1 : 0;
+    if (failures >= kMaxFailuresInRow) {
+      failed_ = true;
+      return;
+    }
+  }
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,54 @@
+// The alerts of the advisor, after the bridge alert management of IMO MSC.302(87).
+//
+//   alert 1  the present course and speed exceed a limit: warning, category A (the polar is needed to judge);
+//            near a limit: caution, category A
+//   alert 2  no advice, with the reason: warning, category B
+// Never alarm or emergency: advice is no safety function. A warning is active until it is acknowledged; if
+// its cause ends before, it stays as rectified until then. A caution needs no acknowledgement. One cycle
+// without advice while the hull is rebuilt for a new loading raises nothing, nor do the cycles in which
+// inputs have not come yet after a start. `revision` counts every change; an acknowledgement of an older
+// revision is ignored. Not done: escalation of a warning that nobody acknowledges, and hysteresis at the
+// limits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "msgs/convert/refusal.hpp"
+#include "quickstrip/advice_t.hpp"
+#include "quickstrip/alert_t.hpp"
+
+namespace quickstrip {
+
+enum class AlertId : std::int32_t { kLimit = 1, kNoAdvice = 2 };
+
+class Alerts {
+ public:
+  static constexpr std::size_t kNumAlerts = 2;
+
+  void configure(std::int16_t source_id, double grace_s);
+
+  /// Sets the state of each alert from the advice of this cycle.
+  void follow(const advice_t& advice);
+
+  /// Acknowledged or silenced from the bridge. Not an error when the revision is old: ignored.
+  Conversion accept(const alert_t& acknowledgement, std::int64_t now);
+
+  /// The next alert to send at `now`: changed, or active and 10 s after it was sent last; nullptr: none left.
+  const alert_t* next_to_send(std::int64_t now);
+
+ private:
+  void raise(alert_t& alert, std::int8_t priority, const advice_t& advice);
+  void clear(alert_t& alert, std::int64_t now);
+  void change(alert_t& alert, std::int8_t state, std::int64_t now);
+
+  std::array<alert_t, kNumAlerts> alerts_{};
+  std::array<std::int64_t, kNumAlerts> sent_utime_{};
+  std::array<std::int32_t, kNumAlerts> sent_revision_{};
+  std::int64_t first_utime_ = 0;  // of the first cycle
+  double grace_s_ = 0.0;
+  std::int32_t seq_ = 0;
+};
+
+}  // namespace quickstrip

@@ -1,0 +1,121 @@
+#include "firmware/session/session.hpp"
+
+#include <algorithm>
+
+#include "core/strip/section_table.hpp"
+#include "msgs/convert/advice_message.hpp"
+#include "msgs/convert/digest.hpp"
+#include "msgs/convert/grid_message.hpp"
+#include "msgs/convert/limits_message.hpp"
+
+namespace quickstrip {
+
+Status Session::configure(const Hull& hull, const Criteria& criteria, const SessionOptions& options) {
+  hull_ = &hull;
+  criteria_ = criteria;
+  options_ = options;
+  inputs_.configure(hull, options.stale_after);
+  // Inputs need a while to come in after a start: no alert on their absence before they would be stale.
+  alerts_.configure(options.source_id, options.stale_after.own_ship_s);
+  queries_.clear();
+  output_ = nullptr;
+  hull_digest_ = hull_digest(hull, hull.loading);
+  table_checksum_ = static_cast<std::int64_t>(section_table_checksum());
+  cycle_ = 0;
+  response_seq_ = 0;
+  limits_sent_ = 0;
+  health_sent_ = 0;
+  publish_failures_ = 0;
+  figures_ = {};
+  limits_ = limits_t{};
+  to_message(criteria, hull, options.profile.view(), limits_);
+  limits_.seq = 1;
+  limits_.source_id = options.source_id;
+  return advisor_.configure(hull, criteria, options.method);
+}
+
+Conversion Session::accept(const sea_state_t& message, std::int64_t now, InputUse use) {
+  return inputs_.accept(message, now, use);
+}
+
+Conversion Session::accept(const wave_spectrum_t& message, std::int64_t now, InputUse use) {
+  return inputs_.accept(message, now, use);
+}
+
+Conversion Session::accept(const own_ship_t& message, std::int64_t now, InputUse use) {
+  return inputs_.accept(message, now, use);
+}
+
+Conversion Session::accept(const loading_t& message, std::int64_t now, InputUse use) {
+  return inputs_.accept(message, now, use);
+}
+
+Conversion Session::accept(const query_t& message, std::int64_t /*now*/) {
+  Query query;
+  const Conversion conversion = to_query(message, query);
+  InputCounters& counters = inputs_.counters(Input::kQuery);
+  counters.count(conversion);
+  if (conversion.ok() && !queries_.push_back(query)) {
+    ++counters.dropped;
+  }
+  return conversion;
+}
+
+Conversion Session::accept(const alert_t& acknowledgement, std::int64_t now) {
+  const Conversion conversion = alerts_.accept(acknowledgement, now);
+  inputs_.counters(Input::kAlertAck).count(conversion);
+  return conversion;
+}
+
+void Session::count(Input input, const Conversion& conversion) {
+  inputs_.counters(input).count(conversion);
+}
+
+/// Which input stands in the way, if any: the ship herself first, then where she goes, then the sea.
+Fitness Session::judge(std::int64_t now, Input& sea_in_force) const {
+  const Fitness sea = inputs_.sea(now, sea_in_force);
+  if (const Fitness loading = inputs_.loading(now); !loading.ok()) {
+    return loading;
+  }
+  if (const Fitness ship = inputs_.own_ship(now); !ship.ok()) {
+    return ship;
+  }
+  return sea;
+}
+
+const StepOutput& Session::step(const Fitness& fitness, Input sea_in_force) {
+  const bool is_spectrum = sea_in_force == Input::kWaveSpectrum;
+  StepInputs step_inputs;
+  step_inputs.sea_state = is_spectrum ? nullptr : &inputs_.sea_state().sea;
+  step_inputs.spectrum = is_spectrum ? &inputs_.wave_spectrum() : nullptr;
+  step_inputs.own_ship = &inputs_.ship().ship;
+  step_inputs.loading = &inputs_.present_loading();
+  step_inputs.no_advice = fitness.reason;
+  return advisor_.step(step_inputs);
+}
+
+void Session::cycle(std::int64_t now, Outbox& outbox) {
+  ++cycle_;
+  Input sea_in_force = Input::kWaveSpectrum;
+  const Fitness fitness = judge(now, sea_in_force);
+  output_ = &step(fitness, sea_in_force);
+  send_limits(now, outbox);
+  fill_advice(now, *output_, fitness, sea_in_force);
+  send(OutChannel::kAdvice, advice_, outbox);
+  to_message(output_->grid, limits_.digest, grid_);
+  stamp(grid_, now);
+  send(OutChannel::kGrid, grid_, outbox);
+  send_responses(now, outbox);
+  send_alerts(now, outbox);
+  send_health(now, outbox);
+}
+
+void Session::rebuild() {
+  const Status status = advisor_.rebuild();
+  if (!status) {
+    return;  // the next cycles say that the loading is implausible
+  }
+  hull_digest_ = hull_digest(*hull_, inputs_.present_loading());
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,148 @@
+// One session of the advisor: inputs come as messages, a cycle judges their ages, lets the core step, and
+// hands the encoded answers to an outbox. The live process and the replay run this same code.
+//
+// Demands of its caller: one thread; time as an argument (microseconds since the epoch; the bridge's clock or
+// a log's); after a cycle, `rebuild` when it is due. No heap after configure(), no bus, no clock, no file:
+// the same messages in the same order at the same times give the same bytes. Memory about 8 MB: static.
+//
+// A new loading: one cycle says "no advice, because the loading has changed", then the hull is rebuilt (well
+// below a second), and the next cycle gives advice for it. A loading that the hull cannot float in gives no
+// advice until a good one comes; the old one is not kept in its place.
+// Cost of a cycle: the core's step plus some 0.3 ms of encoding.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/advice/step.hpp"
+#include "core/advisor.hpp"
+#include "core/base/name.hpp"
+#include "core/base/static_vector.hpp"
+#include "core/strip/method.hpp"
+#include "firmware/session/alerts.hpp"
+#include "firmware/session/inputs.hpp"
+#include "firmware/session/outbox.hpp"
+#include "msgs/convert/encode.hpp"
+#include "msgs/convert/response_message.hpp"
+#include "quickstrip/advice_t.hpp"
+#include "quickstrip/grid_t.hpp"
+#include "quickstrip/health_t.hpp"
+#include "quickstrip/limits_t.hpp"
+#include "quickstrip/query_t.hpp"
+#include "quickstrip/response_t.hpp"
+
+namespace quickstrip {
+
+struct SessionOptions {
+  StaleAfter stale_after;
+  StripMethod method;
+  double cycle_period_s = 1.0;
+  std::int16_t source_id = 1;
+  bool log_clock = false;  // said in health
+  Name profile;            // of the criteria
+  Name version;            // of the program
+};
+
+/// What only the process knows, for health; -1: not known. The session has no clock.
+struct RunFigures {
+  std::int64_t started_utime = 0;
+  std::int64_t num_deadline_misses = 0;
+  double cycle_last_s = -1.0;
+  double cycle_mean_s = -1.0;
+  double cycle_max_s = -1.0;
+  double rebuild_last_s = -1.0;
+  std::int64_t heap_calls_in_cycle = -1;
+  std::int64_t page_faults = -1;
+  std::int64_t resident_bytes = -1;
+  std::array<std::int64_t, kNumInputs> dropped_before{};  // by the receiver, by Input
+  bool is_stopping = false;
+};
+
+class Session {
+ public:
+  /// `hull` must outlive the session. Builds the transfer functions of the hull's default loading.
+  Status configure(const Hull& hull, const Criteria& criteria, const SessionOptions& options);
+
+  Conversion accept(const sea_state_t& message, std::int64_t now, InputUse use = InputUse::kLive);
+  Conversion accept(const wave_spectrum_t& message, std::int64_t now, InputUse use = InputUse::kLive);
+  Conversion accept(const own_ship_t& message, std::int64_t now, InputUse use = InputUse::kLive);
+  Conversion accept(const loading_t& message, std::int64_t now, InputUse use = InputUse::kLive);
+  /// Answered in the next cycle.
+  Conversion accept(const query_t& message, std::int64_t now);
+  Conversion accept(const alert_t& acknowledgement, std::int64_t now);
+  /// For what the session does not take itself: bytes that do not decode, and kinds not used yet.
+  void count(Input input, const Conversion& conversion);
+  void set_run_figures(const RunFigures& figures) { figures_ = figures; }
+
+  void cycle(std::int64_t now, Outbox& outbox);
+
+  [[nodiscard]] bool is_rebuild_due() const { return advisor_.is_rebuild_due(); }
+  /// Call after the cycle that said so. A refusal is told by the next cycles.
+  void rebuild();
+
+  [[nodiscard]] const advice_t& advice() const { return advice_; }
+  [[nodiscard]] const grid_t& grid() const { return grid_; }
+  [[nodiscard]] const limits_t& limits() const { return limits_; }
+  /// What the core gave in the last cycle; nullptr before the first.
+  [[nodiscard]] const StepOutput* output() const { return output_; }
+  [[nodiscard]] const Inputs& inputs() const { return inputs_; }
+
+ private:
+  Fitness judge(std::int64_t now, Input& sea_in_force) const;
+  const StepOutput& step(const Fitness& fitness, Input sea_in_force);
+  void fill_advice(std::int64_t now, const StepOutput& output, const Fitness& fitness, Input sea_in_force);
+  void send_limits(std::int64_t now, Outbox& outbox);
+  void send_responses(std::int64_t now, Outbox& outbox);
+  void answer(const Query& query, std::int64_t now, Outbox& outbox);
+  void send_alerts(std::int64_t now, Outbox& outbox);
+  void send_health(std::int64_t now, Outbox& outbox);
+  template <typename Message>
+  void send(OutChannel channel, const Message& message, Outbox& outbox);
+  template <typename Message>
+  void stamp(Message& message, std::int64_t now) const;
+
+  const Hull* hull_ = nullptr;
+  Criteria criteria_;
+  SessionOptions options_;
+  Advisor advisor_;
+  Inputs inputs_;
+  Alerts alerts_;
+  StaticVector<Query, 8> queries_;
+  CellResponse asked_;
+  const StepOutput* output_ = nullptr;  // the advisor's
+  std::int64_t hull_digest_ = 0;
+  std::int64_t table_checksum_ = 0;
+
+  advice_t advice_{};
+  grid_t grid_{};
+  response_t response_{};
+  limits_t limits_{};
+  health_t health_{};
+  std::array<std::uint8_t, kMaxMessageBytes> bytes_{};
+
+  std::int32_t cycle_ = 0;
+  std::int32_t response_seq_ = 0;
+  std::int64_t limits_sent_ = 0;
+  std::int64_t health_sent_ = 0;
+  std::int64_t publish_failures_ = 0;
+  RunFigures figures_;
+};
+
+template <typename Message>
+void Session::stamp(Message& message, std::int64_t now) const {
+  message.utime = now;
+  message.seq = cycle_;
+  message.source_id = options_.source_id;
+}
+
+template <typename Message>
+void Session::send(OutChannel channel, const Message& message, Outbox& outbox) {
+  const std::span<const std::uint8_t> bytes = encode(message, bytes_);
+  if (bytes.empty() || !outbox.send(channel, bytes)) {
+    ++publish_failures_;
+  }
+}
+
+}  // namespace quickstrip
