@@ -29,7 +29,7 @@ namespace quickstrip {
 
 /// energy[system][direction][frequency]; direction d: waves from the compass direction 2 pi d /
 /// kNumDirections. Renormalised: the sum over all equals the m0 of the input; lost_tail is the fraction of m0
-/// that lay outside the frequency nodes before. The whole is 280 kB: static, never on the stack.
+/// that lay outside the frequency nodes before. The whole is 268 kB: static, never on the stack.
 struct SeaEnergy {
   std::size_t num_systems = 0;
   std::size_t num_frequencies = 0;

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMaxSpectrumCells = kMaxSpectrumFrequencies * kMaxS
 inline constexpr std::size_t kMaxBasins = kMaxSpectrumCells / 4;
 inline constexpr std::uint16_t kNoBasin = 0xFFFF;
 
-/// Scratch of one division; its content means nothing between calls. 75 kB: static.
+/// Scratch of one division; its content means nothing between calls. 69 kB: static.
 struct PartitionWorkspace {
   std::array<double, kMaxSpectrumCells> height{};        // smoothed density
   std::array<std::uint16_t, kMaxSpectrumCells> order{};  // cells, descending
