@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "core/base/check.hpp"
 
@@ -211,6 +212,14 @@ Best smallest_of_each_kind(const Candidates& candidates, Aim aim) {
   return best;
 }
 
+/// Insertion of a handful: std::sort recurses.
+void insert_in_order(const Change& change, Advice& out) {
+  QS_CHECK(out.changes.push_back(change));
+  for (std::size_t i = out.changes.size() - 1; i > 0 && is_smaller(out.changes[i], out.changes[i - 1]); --i) {
+    std::swap(out.changes[i], out.changes[i - 1]);
+  }
+}
+
 Best greatest_margin(const Candidates& candidates, const Cell& present_cell) {
   Best best;
   std::optional<Change>& kept = best[0];
@@ -248,10 +257,9 @@ void rank_changes(const Grid& grid, const Present& present, const Cell& present_
                                                 : smallest_of_each_kind(candidates, aim);
   for (const auto& change : best) {
     if (change) {
-      QS_CHECK(out.changes.push_back(*change));
+      insert_in_order(*change, out);
     }
   }
-  std::sort(out.changes.begin(), out.changes.end(), is_smaller);
   out.no_change_helps = out.changes.empty();
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/advice/nordforsk.hpp"
 #include "msgs/files/hull_file.hpp"
+#include "tests/support/heap_guard.hpp"
 
 namespace quickstrip {
 namespace {
@@ -259,6 +260,23 @@ TEST_F(AdvisorStep, GivesTheSameBitsForTheSameInputs) {
     }
   }
   EXPECT_EQ(first->advice.present.margin, again.advice.present.margin);
+}
+
+TEST_F(AdvisorStep, ConfigureStepRebuildAndQueryAllocateNothing) {
+  const auto response = std::make_unique<CellResponse>();
+  const Criteria criteria = advisor_->criteria();
+  Loading other = hull_->loading;
+  other.kg = 9.0;
+  const test::HeapGuard guard;
+  const bool configured = advisor_->configure(*hull_, criteria, {}).ok();
+  step();
+  const bool answered = advisor_->respond_at({1.0}, 5.0, *response).ok();
+  step(other);
+  const bool rebuilt = advisor_->rebuild().ok();
+  step(other);
+  const std::size_t allocations = guard.allocations();
+  EXPECT_TRUE(configured && answered && rebuilt);
+  EXPECT_EQ(allocations, 0u);
 }
 
 TEST(AdvisorConfigure, RefusesBadCriteriaAndABadGrid) {
