@@ -155,8 +155,8 @@ NoAdvice Advisor::take_inputs(const StepInputs& inputs) {
 
 NoAdvice Advisor::take_loading(const StepInputs& inputs) {
   if (inputs.loading != nullptr && !(*inputs.loading == loading_)) {
-    if (!(*inputs.loading == *inputs.loading)) {
-      return NoAdvice::kLoadingImplausible;  // holds a NaN: would be new every time
+    if (!(*inputs.loading == *inputs.loading)) {  // NOLINT(misc-redundant-expression): unequal to itself
+      return NoAdvice::kLoadingImplausible;       // holds a NaN: would be new every time
     }
     loading_ = *inputs.loading;
     state_ = State::kRebuildDue;

@@ -1,2 +1,4 @@
 /* The smallest program: linked by the C compiler with the whole core and no C++ runtime library. */
-int main(void) { return 0; }
+int main(void) {
+  return 0;
+}
