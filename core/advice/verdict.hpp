@@ -3,10 +3,15 @@
 // Margin: the factor by which wave height may grow before the limit is reached. Variances grow with its
 // square: RMS and significant amplitude, limit / value; slamming, P = exp(-q / f^2) = limit gives
 // f = sqrt(q / ln(1 / limit)), likewise deck wetness with q = freeboard^2 / 2 m0; for a rate per hour the
-// limit on P is limit / (3600 / T2), since T2 does not change with height. Verdict: exceeded if any watched
-// value is over its limit; else unknown if components of low encounter frequency carry more than a fifth of a
-// watched variance; else caution if any is over caution_fraction x limit; else unknown if any criterion is
-// not watched: no cell is good without it; else good.
+// limit on P is limit / (3600 / T2), since T2 does not change with height.
+//
+// Verdict, the first that holds:
+//   exceeded  any watched value is over its limit;
+//   unknown   components of low encounter frequency carry more than a fifth of a watched variance (of the
+//             wave energy, where the method forces their loads to zero and the variance cannot show it);
+//   caution   any watched value is over caution_fraction x limit;
+//   unknown   any criterion is not watched, or there is none: no cell is good without it;
+//   good      otherwise.
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 // The bound of a3 has a fold at H0 = 1: interpolation must not run across it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,28 +39,47 @@ inline double frequency_coordinate(double kappa) {
   return std::log((kappa + kLow) / (kappa + kHigh));
 }
 
-/// What is stored, in units of M (see lewis_limits.hpp), each smooth and bounded for kappa = 0 ... infinity.
+/// What is stored, in units of M (see lewis_limits.hpp): smooth and bounded for kappa = 0 ... infinity, and
+/// divided by the scale of quantity_scales at the same H0 and fullness.
 enum SectionQuantity : std::size_t {
-  kHeaveMass,       // (a33 + (B^2/pi) ln(kappa/(1+kappa))) / a33(inf)
-  kHeaveAmplitude,  // h3 (1+kappa)^2 / B
-  kSwayMass,        // a22 / a22(0)
-  kCouplingMass,    // a24 / sqrt(a22(0))
+  kHeaveMass,       // a33 + (B^2/pi) ln(kappa/(1+kappa))
+  kHeaveAmplitude,  // h3 / decay.heave
+  kSwayMass,        // a22
+  kCouplingMass,    // a24
   kRollMass,        // a44
-  kSwayAmplitude,   // h2 (1+kappa)^2 / (kappa D2)
-  kRollAmplitude,   // h4 (1+kappa)^3 / kappa
+  kSwayAmplitude,   // h2 / decay.sway
+  kRollAmplitude,   // h4 / decay.roll
 };
 inline constexpr std::size_t kNumSectionQuantities = 7;
 using SectionQuantities = std::array<double, kNumSectionQuantities>;
 
-/// The closed forms that scale them, once per section.
-struct SectionScales {
-  double breadth = 0.0;  // B / M
-  double area = 0.0;     // A / M^2
-  double heave_mass_at_infinity = 0.0;
-  double sway_mass_at_zero = 0.0;
-  double coupling = 0.0;        // sqrt(a22(0))
-  double sway_radiation = 0.0;  // D2
+/// Closed forms that take most of the variation with H0 out of the quantities. Along the fullness the
+/// quantities themselves are nearly parabolas (the closed forms are, in a3), so scales belong to the nodes.
+SectionQuantities quantity_scales(double a1, double a3);
+
+/// What is taken out of the amplitudes of the radiated waves. Sway: kappa at low, 2/kappa at high frequency.
+/// Heave: const and (g kappa)^-2 with g = (1-a1-3a3)^(3/2), because short waves see only the curvature at the
+/// waterline, 4 (1+a1+9a3) / ((1-a1-3a3)^3 kappa^2). g vanishes at the re-entrant limit of wide sections.
+struct AmplitudeDecay {
+  double heave = 1.0;
+  double sway = 1.0;
+  double roll = 1.0;
 };
-SectionScales section_scales(double a1, double a3);
+inline double waterline_bluntness(double a1, double a3) {  // g
+  const double d = std::max(0.0, 1.0 - a1 - 3.0 * a3);
+  return d * std::sqrt(d);
+}
+inline AmplitudeDecay amplitude_decay(double bluntness, double kappa) {
+  const double long_waves = 1.0 / (1.0 + kappa);
+  const double curvature = 1.0 / (1.0 + bluntness * kappa);
+  return {.heave = curvature * curvature,
+          .sway = kappa * long_waves * long_waves,
+          .roll = kappa * long_waves * curvature * curvature};
+}
+
+inline double breadth_in_scale(double a1, double a3) {
+  return 2.0 * (1.0 + a1 + a3);
+}  // B / M
+double area_in_scale(double a1, double a3);  // A / M^2
 
 }  // namespace quickstrip

@@ -4,7 +4,7 @@
 // the sea into encounter frequency, so a following sea needs no special care. Variances of systems add.
 // Between the nodes the moments are interpolated bilinearly: in heading between the directions of the wave
 // energy, in speed between the solved speeds.
-// Cost: 2 speeds x 72 directions x frequencies x channels; 3 ms for 14 channels on one ordinary core.
+// Cost: 2 speeds x 72 directions x frequencies x channels; 1.2 ms for 14 channels, 2 systems all round.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // against the hull.
 //
 // Assumes: the undisturbed incident wave; neither the ship's own waves nor swell-up ([Journee1992] §3 names
-// both and leaves them out), so that relative motion at the bow comes out 10 to 30 % low at speed.
+// both and leaves them out); on fine hulls at speed they add some 10 to 30 % at the bow (Blok, Huisman 1984).
 // Cost: one sine and cosine.
 // Source: NOTATION.md; formulas: relative velocity i omega_e s with signed omega_e.
 #pragma once

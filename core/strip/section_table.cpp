@@ -17,54 +17,81 @@ namespace data = section_table_data;
 // Rounding at the bounds is not a fault: sections are clipped to them.
 constexpr double kBoundTolerance = 1e-9;
 
-LagrangeStencil log_h0_stencil(double log_h0) {
+// Four nodes or more. x in the second of the three intervals of the four nearest nodes, except at the ends.
+ParabolicBlend blend(std::span<const double> nodes, double x) {
+  const auto above = std::lower_bound(nodes.begin(), nodes.end(), x);
+  const std::size_t right =
+      std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1, nodes.size() - 1);
+  ParabolicBlend result;
+  result.first = std::min(right < 2 ? 0 : right - 2, nodes.size() - 4);
+  const std::span<const double> near = nodes.subspan(result.first, 4);
+  // Share of the right-hand parabola: 0 in the first interval, 1 in the last.
+  const double share = std::clamp((x - near[1]) / (near[2] - near[1]), 0.0, 1.0);
+  const LagrangeStencil left = lagrange_stencil(near.first(3), x);
+  const LagrangeStencil beyond = lagrange_stencil(near.last(3), x);
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.weight[i] += (1.0 - share) * left.weight[i];
+    result.weight[i + 1] += share * beyond.weight[i];
+  }
+  return result;
+}
+
+ParabolicBlend log_h0_blend(double log_h0) {
   // Not across H0 = 1, where the bounds of a3 have a fold.
   std::size_t fold = 0;
   while (fold + 1 < data::kLogH0.size() && data::kLogH0[fold] < 0.0) {
     ++fold;
   }
   if (log_h0 <= 0.0) {
-    return lagrange_stencil(data::kLogH0.first(fold + 1), log_h0);
+    return blend(data::kLogH0.first(fold + 1), log_h0);
   }
-  LagrangeStencil stencil = lagrange_stencil(data::kLogH0.subspan(fold), log_h0);
-  stencil.first += fold;
-  return stencil;
+  ParabolicBlend result = blend(data::kLogH0.subspan(fold), log_h0);
+  result.first += fold;
+  return result;
 }
 
-// The frequency nodes in the coordinate of the interpolation, once per call for the three that are used.
-LagrangeStencil frequency_stencil(double kappa) {
+// Only the four nodes that are used are taken to the coordinate of the interpolation.
+ParabolicBlend frequency_blend(double kappa) {
   const std::span<const double> nodes = data::kKappa;
   const auto above = std::lower_bound(nodes.begin(), nodes.end(), kappa);
-  const std::size_t upper =
+  const std::size_t right =
       std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1, nodes.size() - 1);
-  const std::size_t first = std::min(upper < 2 ? 0 : upper - 2, nodes.size() - 4);
+  const std::size_t first = std::min(right < 2 ? 0 : right - 2, nodes.size() - 4);
   std::array<double, 4> near{};
   for (std::size_t i = 0; i < near.size(); ++i) {
     near[i] = frequency_coordinate(nodes[first + i]);
   }
-  LagrangeStencil stencil = lagrange_stencil(near, frequency_coordinate(kappa));
-  stencil.first += first;
-  return stencil;
+  ParabolicBlend result = blend(near, frequency_coordinate(kappa));
+  result.first += first;
+  return result;
 }
 
-SectionQuantities interpolate(const SectionTableColumn& column, const LagrangeStencil& frequency) {
-  SectionQuantities sum{};
+SectionQuantities interpolate(const SectionTableColumn& column, const ParabolicBlend& frequency,
+                              double kappa) {
+  SectionQuantities total{};
   const std::size_t num_kappa = data::kKappa.size();
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
+  for (std::size_t j = 0; j < 4; ++j) {
+    SectionQuantities sum{};
+    for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t section = (column.h0.first + i) * data::kFullness.size() + column.fullness.first + j;
       const std::size_t start = (section * num_kappa + frequency.first) * kNumSectionQuantities;
-      const std::span<const float> values = data::kValues.subspan(start, 3 * kNumSectionQuantities);
-      const double weight = column.h0.weight[i] * column.fullness.weight[j];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double factor = weight * frequency.weight[k];
+      const std::span<const float> values = data::kValues.subspan(start, 4 * kNumSectionQuantities);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double factor = column.h0.weight[i] * frequency.weight[k];
         for (std::size_t q = 0; q < kNumSectionQuantities; ++q) {
           sum[q] += factor * static_cast<double>(values[k * kNumSectionQuantities + q]);
         }
       }
     }
+    const AmplitudeDecay decay = amplitude_decay(column.bluntness[j], kappa);
+    sum[kHeaveAmplitude] *= decay.heave;
+    sum[kSwayAmplitude] *= decay.sway;
+    sum[kRollAmplitude] *= decay.roll;
+    for (std::size_t q = 0; q < kNumSectionQuantities; ++q) {
+      total[q] += column.fullness.weight[j] * column.scales[j][q] * sum[q];
+    }
   }
-  return sum;
+  return total;
 }
 
 class Fnv1a64 {
@@ -97,58 +124,61 @@ Result<SectionTableColumn> section_table_column(double h0, double sigma) {
   if (!section) {
     return section.error();
   }
-  const double p = fullness(breadth_draught_parameter(h0), section->a3);
+  const double q = breadth_draught_parameter(h0);
+  const double p = fullness(q, section->a3);
   if (!(p <= 1.0 + kBoundTolerance)) {
     return Error::kOutOfRange;
   }
   SectionTableColumn column;
-  column.h0 = log_h0_stencil(std::log(h0));
-  column.fullness = lagrange_stencil(data::kFullness, p);
-  column.scales = section_scales(section->a1, section->a3);
+  column.h0 = log_h0_blend(std::log(h0));
+  column.fullness = blend(data::kFullness, p);
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double a3 = a3_of_fullness(q, data::kFullness[column.fullness.first + j]);
+    column.scales[j] = quantity_scales(q * (1.0 + a3), a3);
+    column.bluntness[j] = waterline_bluntness(q * (1.0 + a3), a3);
+  }
   column.lateral_at_infinity = lateral_added_mass_at_infinity(section->a1, section->a3);
-  column.kappa_per_xi = 2.0 / column.scales.breadth;
+  column.heave_at_infinity = heave_added_mass_at_infinity(section->a1, section->a3);
+  column.breadth = breadth_in_scale(section->a1, section->a3);
+  column.area = area_in_scale(section->a1, section->a3);
   return column;
 }
 
 SectionCoefficients section_coefficients(const SectionTableColumn& column, double xi) {
   QS_CHECK(xi >= 0.0 && std::isfinite(xi));
   constexpr double kLeastXiOfHeave = 1e-12;
-  const SectionScales& scales = column.scales;
-  const double kappa = xi * column.kappa_per_xi;
+  const double kappa_per_xi = 2.0 / column.breadth;
+  const double kappa = xi * kappa_per_xi;
   const double top = data::kKappa.back();
   const double inside = std::min(kappa, top);
-  const SectionQuantities v = interpolate(column, frequency_stencil(inside));
+  SectionQuantities v = interpolate(column, frequency_blend(inside), kappa);
 
-  const double for_log = std::max(inside, kLeastXiOfHeave * column.kappa_per_xi);
-  double a33 = v[kHeaveMass] * scales.heave_mass_at_infinity -
-               scales.breadth * scales.breadth / kPi * std::log(for_log / (1.0 + for_log));
-  double a22 = v[kSwayMass] * scales.sway_mass_at_zero;
-  double a24 = v[kCouplingMass] * scales.coupling;
-  double a44 = v[kRollMass];
+  const double for_log = std::max(inside, kLeastXiOfHeave * kappa_per_xi);
+  v[kHeaveMass] -= column.breadth * column.breadth / kPi * std::log(for_log / (1.0 + for_log));
   if (kappa > top) {
     // The added masses approach their limits as 1/kappa; the scaled amplitudes keep their last values.
     const double rest = top / kappa;
-    a33 = scales.heave_mass_at_infinity + (a33 - scales.heave_mass_at_infinity) * rest;
-    a22 = column.lateral_at_infinity.a22 + (a22 - column.lateral_at_infinity.a22) * rest;
-    a24 = column.lateral_at_infinity.a24 + (a24 - column.lateral_at_infinity.a24) * rest;
-    a44 = column.lateral_at_infinity.a44 + (a44 - column.lateral_at_infinity.a44) * rest;
+    v[kHeaveMass] = column.heave_at_infinity + (v[kHeaveMass] - column.heave_at_infinity) * rest;
+    const LewisAddedMass& lateral = column.lateral_at_infinity;
+    v[kSwayMass] = lateral.a22 + (v[kSwayMass] - lateral.a22) * rest;
+    v[kCouplingMass] = lateral.a24 + (v[kCouplingMass] - lateral.a24) * rest;
+    v[kRollMass] = lateral.a44 + (v[kRollMass] - lateral.a44) * rest;
   }
-  const double decay = 1.0 / (1.0 + kappa);
-  const double h3 = v[kHeaveAmplitude] * scales.breadth * decay * decay;
-  const double h2 = v[kSwayAmplitude] * scales.sway_radiation * kappa * decay * decay;
-  const double h4 = v[kRollAmplitude] * kappa * decay * decay * decay;
+  const double h3 = v[kHeaveAmplitude];
+  const double h2 = v[kSwayAmplitude];
+  const double h4 = v[kRollAmplitude];
 
   const double root = std::sqrt(xi);  // omega sqrt(B/2g)
-  const double by_area = 1.0 / scales.area;
-  const double by_moment = by_area / scales.breadth;
-  const double by_inertia = by_moment / scales.breadth;
-  return {.a22 = a22 * by_area,
+  const double by_area = 1.0 / column.area;
+  const double by_moment = by_area / column.breadth;
+  const double by_inertia = by_moment / column.breadth;
+  return {.a22 = v[kSwayMass] * by_area,
           .b22 = root * h2 * h2 * by_area,
-          .a33 = a33 * by_area,
+          .a33 = v[kHeaveMass] * by_area,
           .b33 = root * h3 * h3 * by_area,
-          .a44 = a44 * by_inertia,
+          .a44 = v[kRollMass] * by_inertia,
           .b44 = root * h4 * h4 * by_inertia,
-          .a24 = a24 * by_moment,
+          .a24 = v[kCouplingMass] * by_moment,
           .b24 = root * h2 * h4 * by_moment};
 }
 

@@ -1,11 +1,11 @@
 // Added mass and damping of Lewis sections from a table, by second-degree Lagrange interpolation in breadth-
-// draught ratio, fullness and frequency, as SEAQUICK does [Journee1992] §4. What is interpolated are smooth
-// quantities, scaled by closed forms (core/hull/section_coordinates.hpp): added masses (heave less its
-// logarithm) and signed wave amplitudes, so that b33, b22, b44 >= 0 and b24^2 = b22 b44 hold exactly.
-// Assumes deep water and what the Lewis form assumes. Range: 0.05 <= H0 <= 10, sigma from the re-entrant
-// limit to the upper limit of the Lewis form, every frequency: exact limits at zero, asymptotes above the
-// last node. Expected error: see the README; `quickstrip-section-table --accuracy` measures it. Cost: a
-// column about 0.3 us, coefficients about 0.2 us; 0.33 MB of constants.
+// draught ratio, fullness and frequency, as SEAQUICK does [Journee1992] §4, neighbouring parabolas blended.
+// What is interpolated are smooth quantities, scaled by closed forms (core/hull/section_coordinates.hpp):
+// added masses (heave less its logarithm) and signed wave amplitudes, so that b33, b22, b44 >= 0 and b24^2 =
+// b22 b44 hold exactly. Assumes deep water and what the Lewis form assumes. Range: 0.05 <= H0 <= 10, sigma
+// from the re-entrant limit to the upper limit of the Lewis form, every frequency: exact limits at zero,
+// asymptotes above the last node. Expected error: see the README; `quickstrip-section-table --accuracy`
+// measures it. Cost: a column about 0.3 us, coefficients about 0.2 us; 0.33 MB of constants.
 #pragma once
 
 #include <array>
@@ -19,13 +19,24 @@
 
 namespace quickstrip {
 
+/// Weights of four neighbouring nodes: between two nodes, the parabola through the three to the left and that
+/// to the right (second-degree Lagrange) blend linearly. Without it the parabolas leave steps, which slopes
+/// over frequency and the ship's length would see. At the ends the one parabola alone.
+struct ParabolicBlend {
+  std::size_t first = 0;
+  std::array<double, 4> weight{};
+};
+
 /// The position of a section in the table and its scales; made by section_table_column.
 struct SectionTableColumn {
-  LagrangeStencil h0;
-  LagrangeStencil fullness;
-  SectionScales scales;
+  ParabolicBlend h0;
+  ParabolicBlend fullness;
+  std::array<SectionQuantities, 4> scales{};  // at the section's H0, at the four nodes of fullness
+  std::array<double, 4> bluntness{};          // at the same places
   LewisAddedMass lateral_at_infinity;
-  double kappa_per_xi = 0.0;
+  double heave_at_infinity = 0.0;
+  double breadth = 0.0;  // B / M
+  double area = 0.0;     // A / M^2
 };
 
 /// kNotFinite; kOutOfRange outside the table.

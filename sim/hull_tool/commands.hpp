@@ -10,12 +10,14 @@ namespace quickstrip::hull_tool {
 void add_check(CLI::App& app);
 void add_hydrostatics(CLI::App& app);
 void add_sections(CLI::App& app);
+void add_coefficients(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
   add_check(app);
   add_hydrostatics(app);
   add_sections(app);
+  add_coefficients(app);
 }
 
 }  // namespace quickstrip::hull_tool

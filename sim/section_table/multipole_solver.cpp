@@ -266,7 +266,10 @@ SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_mul
   solution.damping22 = -sway.force[0][0].imag();
   solution.damping24 = -sway.force[0][1].imag();
   solution.damping44 = -sway.force[1][1].imag();
-  // Radiated wave of a source of this strength, from its far field 2 pi i e^{iKy}; and of the dipole.
+  // Far from the hull E1 dies away and the unit source is i pi e^{iKy + Kz}, the dipole its derivative in y.
+  solution.far_field3 = kPi * std::abs(heave.strength[0]);
+  solution.far_field2 = kPi * kappa * std::abs(sway.strength[0]);
+  solution.far_field4 = kPi * kappa * std::abs(sway.strength[1]);
   const double waterline = kappa * (1.0 + a1 + a3);
   const Complex heave_phase = std::polar(1.0, waterline);
   const Complex sway_phase = std::polar(1.0, waterline - 0.25 * kPi);

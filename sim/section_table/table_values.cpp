@@ -9,16 +9,15 @@ namespace quickstrip {
 namespace {
 
 // Even in log H0 on both sides of 1.
-constexpr std::array<double, 15> kH0 = {0.05, 0.0727, 0.1058, 0.1538, 0.2236, 0.3252, 0.4729, 0.6877,
-                                        1.0,  1.468,  2.154,  3.162,  4.642,  6.813,  10.0};
-constexpr std::array<double, 17> kFullness = {0.0,   0.0625, 0.125, 0.1875, 0.25,  0.3125,
-                                              0.375, 0.4375, 0.5,   0.5625, 0.625, 0.6875,
-                                              0.75,  0.8125, 0.875, 0.9375, 1.0};
-constexpr std::array<double, 46> kKappa = {
-    0.0,   0.0035, 0.010, 0.019, 0.032, 0.048, 0.067, 0.090, 0.118, 0.150, 0.183, 0.216,
-    0.249, 0.283,  0.319, 0.356, 0.394, 0.433, 0.482, 0.538, 0.598, 0.660, 0.722, 0.790,
-    0.865, 0.946,  1.035, 1.14,  1.27,  1.45,  1.67,  1.95,  2.30,  2.72,  3.23,  3.85,
-    4.60,  5.50,   6.60,  8.2,   10.8,  15.0,  22.5,  40.0,  100.0, 700.0};
+constexpr std::array<double, 25> kH0 = {
+    0.05, 0.0714, 0.1003, 0.1353, 0.1791, 0.2346, 0.3012, 0.3791, 0.4677, 0.5655, 0.6703, 0.7788, 0.8869,
+    1.0,  1.127,  1.284,  1.492,  1.768,  2.138,  2.638,  3.32,   4.349,  5.755,  7.614,  10.0};
+constexpr std::array<double, 12> kFullness = {0,    0.13, 0.26, 0.385, 0.5,   0.6,
+                                              0.69, 0.77, 0.84, 0.9,   0.955, 1.0};
+constexpr std::array<double, 39> kKappa = {
+    0,     0.0019, 0.0075, 0.017, 0.03, 0.048, 0.07,  0.097, 0.13,  0.165, 0.204, 0.245, 0.29,
+    0.337, 0.386,  0.438,  0.495, 0.56, 0.63,  0.705, 0.79,  0.885, 1.0,   1.15,  1.34,  1.58,
+    1.9,   2.3,    2.8,    3.45,  4.3,  5.4,   7.0,   9.4,   13,    19,    32,    75,    700};
 
 // Ten times finer than what the interpolation is asked for.
 constexpr double kNodeTolerance = 2e-5;
@@ -36,34 +35,44 @@ std::span<const double> table_kappa_nodes() {
 }
 
 SectionQuantities smooth_quantities(double a1, double a3, double kappa, const SectionSolution& solution) {
-  const SectionScales scales = section_scales(a1, a3);
-  const double growth = 1.0 + kappa;
+  const double breadth = breadth_in_scale(a1, a3);
+  const AmplitudeDecay decay = amplitude_decay(waterline_bluntness(a1, a3), kappa);
   SectionQuantities v{};
-  v[kHeaveMass] = (solution.a33 + scales.breadth * scales.breadth / kPi * std::log(kappa / growth)) /
-                  scales.heave_mass_at_infinity;
-  v[kHeaveAmplitude] = solution.h3 * growth * growth / scales.breadth;
-  v[kSwayMass] = solution.a22 / scales.sway_mass_at_zero;
-  v[kCouplingMass] = solution.a24 / scales.coupling;
+  v[kHeaveMass] = solution.a33 + breadth * breadth / kPi * std::log(kappa / (1.0 + kappa));
+  v[kHeaveAmplitude] = solution.h3 / decay.heave;
+  v[kSwayMass] = solution.a22;
+  v[kCouplingMass] = solution.a24;
   v[kRollMass] = solution.a44;
-  v[kSwayAmplitude] = solution.h2 * growth * growth / (kappa * scales.sway_radiation);
-  v[kRollAmplitude] = solution.h4 * growth * growth * growth / kappa;
+  v[kSwayAmplitude] = solution.h2 / decay.sway;
+  v[kRollAmplitude] = solution.h4 / decay.roll;
   return v;
 }
 
 SectionQuantities smooth_quantities_at_zero(double a1, double a3) {
-  const SectionScales scales = section_scales(a1, a3);
+  const LewisRadiation radiation = low_frequency_radiation(a1, a3);
   const LewisAddedMass lateral = lateral_added_mass_at_zero(a1, a3);
   SectionQuantities v{};
-  v[kHeaveMass] = (heave_added_mass_constant(a1, a3) - scales.breadth * scales.breadth / kPi * kEulerGamma) /
-                  scales.heave_mass_at_infinity;
-  v[kHeaveAmplitude] = 1.0;
-  v[kSwayMass] = 1.0;
-  v[kCouplingMass] = lateral.a24 / scales.coupling;
+  v[kHeaveMass] = heave_added_mass_constant(a1, a3) - radiation.heave * radiation.heave / kPi * kEulerGamma;
+  v[kHeaveAmplitude] = radiation.heave;
+  v[kSwayMass] = lateral.a22;
+  v[kCouplingMass] = lateral.a24;
   v[kRollMass] = lateral.a44;
-  v[kSwayAmplitude] = 1.0;
-  v[kRollAmplitude] = low_frequency_radiation(a1, a3).roll;
+  v[kSwayAmplitude] = radiation.sway;
+  v[kRollAmplitude] = radiation.roll;
   return v;
 }
+
+namespace {
+
+TableEntry scaled(TableEntry entry, double a1, double a3) {
+  const SectionQuantities scale = quantity_scales(a1, a3);
+  for (std::size_t q = 0; q < kNumSectionQuantities; ++q) {
+    entry.quantities[q] /= scale[q];
+  }
+  return entry;
+}
+
+}  // namespace
 
 TableEntry table_entry(double h0, double fullness, double kappa) {
   const double q = breadth_draught_parameter(h0);
@@ -72,13 +81,13 @@ TableEntry table_entry(double h0, double fullness, double kappa) {
   TableEntry entry;
   if (kappa == 0.0) {
     entry.quantities = smooth_quantities_at_zero(a1, a3);
-    return entry;
+    return scaled(entry, a1, a3);
   }
   const SectionSolution solution = solve_lewis_form_adaptive(a1, a3, kappa, kNodeTolerance);
   entry.quantities = smooth_quantities(a1, a3, kappa, solution);
   entry.num_multipoles = solution.num_multipoles;
   entry.converged = solution.converged;
-  return entry;
+  return scaled(entry, a1, a3);
 }
 
 }  // namespace quickstrip

@@ -75,17 +75,12 @@ TEST(SectionTable, AgreesWithBoundaryElementsWithinItsInterpolationError) {
     const Values scale = scales(row, largest.at({row.h0, row.sigma}));
     const std::size_t compared = is_circle(row) ? 4 : 8;
     for (std::size_t k = 0; k < compared; ++k) {
-      // First, coarse nodes: near the circle 44 and 24 are small differences.
-      EXPECT_NEAR(table[k], row.values[k], (k == 7 ? 0.3 : 0.05) * scale[k])
+      // 99 % of random points lie within 0.5 % of the direct solution; b24 of full sections, which falls as
+      // omega^-5 and hangs on a lever that changes sign, within 2 %.
+      EXPECT_NEAR(table[k], row.values[k], (k == 7 ? 0.02 : 0.01) * scale[k])
           << coefficient_name(k) << " H0 " << row.h0 << " sigma " << row.sigma << " xi " << row.xi;
     }
   }
-}
-
-TEST(SectionTable, ChecksumFitsTheData) {
-  EXPECT_TRUE(section_table_is_intact());
-  EXPECT_LE(section_table_numbers(), 82'992U);
-  EXPECT_LE(section_table_bytes(), 400'000U);
 }
 
 }  // namespace
