@@ -11,6 +11,9 @@ void add_check(CLI::App& app);
 void add_hydrostatics(CLI::App& app);
 void add_sections(CLI::App& app);
 void add_coefficients(CLI::App& app);
+void add_hydrodynamics(CLI::App& app);
+void add_motions(CLI::App& app);
+void add_responses(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -18,6 +21,9 @@ inline void add_commands(CLI::App& app) {
   add_hydrostatics(app);
   add_sections(app);
   add_coefficients(app);
+  add_hydrodynamics(app);
+  add_motions(app);
+  add_responses(app);
 }
 
 }  // namespace quickstrip::hull_tool

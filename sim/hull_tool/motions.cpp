@@ -1,0 +1,72 @@
+// quickstrip-hull motions: transfer functions of the six motions at G.
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/advice/advice.hpp"
+#include "core/strip/equations_of_motion.hpp"
+#include "msgs/convert/units.hpp"
+#include "sim/hull_tool/commands.hpp"
+#include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/list_option.hpp"
+#include "sim/hull_tool/quality_text.hpp"
+#include "sim/hull_tool/strip_ship.hpp"
+
+namespace quickstrip::hull_tool {
+namespace {
+
+constexpr const char* kHeader =
+    "speed_kn,mu_deg,omega_rad_s,omega_e_rad_s,surge_amp,surge_phase_rad,sway_amp,sway_phase_rad,heave_amp,"
+    "heave_phase_rad,roll_amp,roll_phase_rad,pitch_amp,pitch_phase_rad,yaw_amp,yaw_phase_rad,"
+    "added_resistance_n_m2,quality";
+
+struct Options {
+  StripOptions strip;
+  std::vector<double> speeds_kn;
+  std::vector<double> mus_deg;
+  std::vector<double> omegas;
+  double wave_amplitude = 1.0;
+};
+
+void run(const Options& options) {
+  const StripShip ship = load_strip_ship(options.strip);
+  Csv csv(kHeader);
+  for (const double speed_kn : options.speeds_kn) {
+    for (const double mu_deg : options.mus_deg) {
+      for (const double omega : options.omegas) {
+        const EncounterAngle mu{wrap_pi(radians(mu_deg))};
+        const MotionTransfer t = motion_transfer(*ship.loaded, omega, mu, from_knots(speed_kn));
+        csv.add(speed_kn).add(mu_deg).add(omega).add(t.encounter_frequency);
+        for (const Complex& motion : t.motion) {
+          csv.add(std::abs(motion)).add(std::arg(motion));
+        }
+        csv.add(std::optional<double>());  // added resistance is not computed yet
+        csv.add(quality_text(ship.quality | (t.low_encounter ? kQualityLowEncounter : 0u)));
+        csv.end_row();
+      }
+    }
+  }
+  print_result(csv.text());
+}
+
+}  // namespace
+
+void add_motions(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("motions", "Motions at G per metre of wave: amplitudes and phases");
+  const auto options = std::make_shared<Options>();
+  add_strip_options(*command, options->strip);
+  add_list(*command, "--speed-kn", options->speeds_kn, {0.0, 60.0}, "speeds [kn]")->required();
+  add_list(*command, "--mu-deg", options->mus_deg, {-359.999999, 359.999999},
+           "wave directions: 0 following, 90 from starboard, 180 head [deg]")
+      ->required();
+  add_list(*command, "--omega", options->omegas, {1e-3, 20.0}, "wave frequencies [rad/s]")->required();
+  add_number(*command, "--wave-amplitude-m", options->wave_amplitude, {1e-6, 30.0},
+             "wave amplitude [m]; damping as a ratio of critical does not depend on it");
+  command->footer(
+      "response = amp cos(omega_e t + phase) for a wave crest at G at t = 0; m/m and rad/m; roll starboard "
+      "down +, pitch bow down +, yaw bow to port +.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace quickstrip::hull_tool

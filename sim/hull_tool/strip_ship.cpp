@@ -1,0 +1,38 @@
+#include "sim/hull_tool/strip_ship.hpp"
+
+#include "core/advice/advice.hpp"
+#include "sim/hull_tool/input_error.hpp"
+#include "sim/hull_tool/list_option.hpp"
+
+namespace quickstrip::hull_tool {
+
+void add_strip_options(CLI::App& command, StripOptions& options) {
+  add_hull_argument(command, options.file);
+  add_loading_options(command, options.loading);
+  add_method_options(command, options.method);
+  command
+      .add_option("--roll-damping-ratio", options.roll_damping_ratio,
+                  "added roll damping as a ratio of critical, instead of the file's")
+      ->check(CLI::Range(0.0, 1.0));
+}
+
+StripShip load_strip_ship(const StripOptions& options) {
+  StripShip ship;
+  ship.floating = float_hull(options.file, options.loading);
+  ship.loaded = std::make_unique<LoadedHull>();
+  const Status status =
+      load(ship.floating->hull, ship.floating->loading, options.method.method(), *ship.loaded);
+  if (!status) {
+    throw InputError{explain(status.error(), *ship.floating, options.loading)};
+  }
+  if (options.roll_damping_ratio) {
+    set_roll_damping_ratio(*ship.loaded, *options.roll_damping_ratio);
+  }
+  const bool free_surface_known = ship.floating->loading.free_surface_correction || ship.floating->loading.gm;
+  ship.quality = (ship.loaded->has_replaced_section ? kQualityReplacedSection : 0u) |
+                 (ship.loaded->lpp < 3.0 * ship.loaded->breadth ? kQualityLowLengthBreadth : 0u) |
+                 (free_surface_known ? 0u : kQualityFreeSurfaceUnknown);
+  return ship;
+}
+
+}  // namespace quickstrip::hull_tool

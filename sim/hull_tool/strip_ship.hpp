@@ -1,0 +1,35 @@
+// A hull loaded for strip theory on the command line: what hydrodynamics, motions and responses begin with.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/strip/loaded_hull.hpp"
+#include "sim/hull_tool/floating_hull.hpp"
+#include "sim/hull_tool/method_options.hpp"
+
+namespace quickstrip::hull_tool {
+
+struct StripOptions {
+  std::string file;
+  LoadingOptions loading;
+  MethodOptions method;
+  std::optional<double> roll_damping_ratio;
+};
+
+struct StripShip {
+  std::unique_ptr<FloatingHull> floating;
+  std::unique_ptr<LoadedHull> loaded;
+  std::uint32_t quality = 0;  // of the hull and its loading
+};
+
+/// HULL, loading, METHOD and --roll-damping-ratio.
+void add_strip_options(CLI::App& command, StripOptions& options);
+
+/// Throws InputError.
+StripShip load_strip_ship(const StripOptions& options);
+
+}  // namespace quickstrip::hull_tool
