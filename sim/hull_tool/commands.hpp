@@ -14,6 +14,7 @@ void add_coefficients(CLI::App& app);
 void add_hydrodynamics(CLI::App& app);
 void add_motions(CLI::App& app);
 void add_responses(CLI::App& app);
+void add_grid(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -24,6 +25,7 @@ inline void add_commands(CLI::App& app) {
   add_hydrodynamics(app);
   add_motions(app);
   add_responses(app);
+  add_grid(app);
 }
 
 }  // namespace quickstrip::hull_tool

@@ -38,7 +38,7 @@ std::optional<std::int64_t> utime_of(int year, int month, int day, int hour, int
     return std::nullopt;
   }
   const std::int64_t days = sys_days{date}.time_since_epoch().count();
-  return (((days * 24 + hour) * 60 + minute) * 60 + second) * kMicrosecondsPerSecond;
+  return (((days * 24 + hour) * 60 + minute) * 60 + second) * kUtimePerSecond;
 }
 
 std::optional<std::int64_t> parse_utc(std::string_view text) {

@@ -8,8 +8,8 @@
 
 namespace quickstrip {
 
-inline constexpr std::int64_t kMicrosecondsPerSecond = 1'000'000;
-inline constexpr std::int64_t kMicrosecondsPerHour = 3600 * kMicrosecondsPerSecond;
+inline constexpr std::int64_t kUtimePerSecond = 1'000'000;
+inline constexpr std::int64_t kUtimePerHour = 3600 * kUtimePerSecond;
 
 /// Years 1970 ... 9999. Nothing when there is no such date or time of day.
 std::optional<std::int64_t> utime_of(int year, int month, int day, int hour, int minute, int second);

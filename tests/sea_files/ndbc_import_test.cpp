@@ -88,7 +88,7 @@ TEST(NdbcImport, MissingDensityIsAGap) {
   ASSERT_TRUE(files.import(record, notes));
   ASSERT_EQ(record.hours.size(), 2U);
   EXPECT_EQ(notes.num_gaps, 1U);
-  EXPECT_EQ(record.hours[1].utime_us - record.hours[0].utime_us, 2 * kMicrosecondsPerHour);
+  EXPECT_EQ(record.hours[1].utime_us - record.hours[0].utime_us, 2 * kUtimePerHour);
 }
 
 // In the second hour the first band holds 0.00025 of 0.25 m2, in the others 0.05 of 0.3 m2 and more.

@@ -64,11 +64,11 @@ TEST(Storm, GapsStayGaps) {
   std::int64_t longest = 0;
   for (std::size_t i = 1; i < storm().records.size(); ++i) {
     const std::int64_t step = storm().records[i].utime_us - storm().records[i - 1].utime_us;
-    num_gaps += step > kMicrosecondsPerHour ? 1 : 0;
+    num_gaps += step > kUtimePerHour ? 1 : 0;
     longest = std::max(longest, step);
   }
   EXPECT_EQ(num_gaps, 12U);
-  EXPECT_EQ(longest, 15 * kMicrosecondsPerHour);
+  EXPECT_EQ(longest, 15 * kUtimePerHour);
   const auto is_there = [](const char* time) { return record_at(storm(), *parse_utc(time)) != nullptr; };
   EXPECT_TRUE(is_there("2019-09-03T18:40Z"));
   EXPECT_TRUE(is_there("2019-09-03T20:10Z"));  // 90 min old

@@ -1,0 +1,190 @@
+// quickstrip-hull grid: the advisor's verdict on every heading and speed, in a sea given by height and period
+// or taken from a sea file. One step of the same core that runs on board.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/advice/nordforsk.hpp"
+#include "core/advisor.hpp"
+#include "msgs/convert/units.hpp"
+#include "sim/hull_tool/commands.hpp"
+#include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/floating_hull.hpp"
+#include "sim/hull_tool/input_error.hpp"
+#include "sim/hull_tool/list_option.hpp"
+#include "sim/hull_tool/method_options.hpp"
+#include "sim/hull_tool/quality_text.hpp"
+#include "sim/hull_tool/spectrum_options.hpp"
+#include "sim/sea_files/sea_series.hpp"
+#include "sim/sea_files/utc_time.hpp"
+
+namespace quickstrip::hull_tool {
+namespace {
+
+struct Options {
+  std::string file;
+  MethodOptions method;
+  SpectrumOptions spectrum;
+  double dir_from_deg = 0.0;
+  std::string sea_file;
+  std::string at;
+  int repeat = 1;
+};
+
+const char* word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kGood:
+      return "good";
+    case Verdict::kCaution:
+      return "caution";
+    case Verdict::kExceeded:
+      return "exceeded";
+    case Verdict::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+// The hour asked for, or the one with the highest sea.
+const SeaRecord& chosen_record(const Options& options, const SeaSeries& series) {
+  if (options.at.empty()) {
+    const SeaRecord* highest = &series.records.front();
+    for (const SeaRecord& record : series.records) {
+      highest = record.hs > highest->hs ? &record : highest;
+    }
+    return *highest;
+  }
+  const std::optional<std::int64_t> at = parse_utc(options.at);
+  if (!at) {
+    throw CLI::ValidationError("--at", options.at + ": a time such as 2019-09-04T12:40:00Z is wanted");
+  }
+  const SeaRecord* record = record_at(series, *at);
+  if (record == nullptr) {
+    throw InputError{fmt::format("{}: --at = {}: no measurement within 90 minutes before it",
+                                 options.sea_file, options.at)};
+  }
+  return *record;
+}
+
+// "vertical acceleration bridge" judged by RMS becomes vertical_acceleration_bridge_rms_m_s2.
+std::string column_name(const Criterion& criterion) {
+  std::string name(criterion.name.view());
+  std::replace(name.begin(), name.end(), ' ', '_');
+  switch (criterion.statistic) {
+    case Statistic::kProbability:
+      return name + "_probability";
+    case Statistic::kPerHour:
+      return name + "_per_hour";
+    case Statistic::kRms:
+      name += "_rms";
+      break;
+    case Statistic::kSignificant:
+      name += "_significant";
+      break;
+  }
+  const bool angle = criterion.quantity == Quantity::kRoll || criterion.quantity == Quantity::kPitch ||
+                     criterion.quantity == Quantity::kYaw;
+  const bool length = criterion.quantity < Quantity::kRoll;
+  return name + (angle ? "_rad" : length ? "_m" : "_m_s2");
+}
+
+std::string header(const Criteria& criteria) {
+  std::string line = "heading_deg,speed_kn,verdict,governing,margin,quality";
+  for (const Criterion& criterion : criteria) {
+    line += "," + column_name(criterion);
+  }
+  return line;
+}
+
+void add_rows(const StepOutput& output, const Criteria& criteria, Csv& csv) {
+  const Grid& grid = output.grid;
+  for (std::size_t h = 0; h < grid.num_headings; ++h) {
+    for (std::size_t s = 0; s < grid.num_speeds; ++s) {
+      const Cell& cell = grid.cells[s][h];
+      csv.add(360.0 * static_cast<double>(h) / static_cast<double>(grid.num_headings));
+      csv.add(to_knots(grid.speeds[s])).add(word(cell.verdict));
+      csv.add(cell.governing == kNoCriterion ? std::string_view() : criteria[cell.governing].name.view());
+      csv.add(static_cast<double>(cell.margin)).add(quality_text(cell.quality));
+      for (std::size_t c = 0; c < criteria.size(); ++c) {
+        const bool known = criteria[c].is_watched() && cell.values[c] >= 0.0F;
+        csv.add(known ? std::optional<double>(cell.values[c]) : std::nullopt);
+      }
+      csv.end_row();
+    }
+  }
+}
+
+void run(const Options& options) {
+  const auto ship = float_hull(options.file);
+  const Result<Criteria> criteria = nordforsk_merchant(ship->hull);
+  const auto advisor = std::make_unique<Advisor>();
+  const Status configured = criteria ? advisor->configure(ship->hull, *criteria, options.method.method())
+                                     : Status(criteria.error());
+  if (!configured) {
+    throw InputError{explain(configured.error(), *ship, {})};
+  }
+  const OwnShip own_ship{Heading{0.0}, advisor->transfer_functions().speeds[0], false};
+  StepInputs inputs;
+  inputs.own_ship = &own_ship;
+  SeaSeries series;
+  SeaState sea;
+  if (options.spectrum.given()) {
+    sea = options.spectrum.sea_from(WaveFrom{wrap_two_pi(radians(options.dir_from_deg))});
+    inputs.sea_state = &sea;
+  } else {
+    if (const FileStatus read = load_sea(options.sea_file, series); !read.ok()) {
+      throw InputError{read.line()};
+    }
+    inputs.spectrum = &chosen_record(options, series).spectrum;
+  }
+  Csv csv(header(*criteria));
+  for (int i = 0; i < options.repeat; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const StepOutput& output = advisor->step(inputs);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    if (output.advice.no_advice != NoAdvice::kNone) {
+      throw InputError{fmt::format("{}: the sea gives no advice (reason {})", options.file,
+                                   static_cast<int>(output.advice.no_advice))};
+    }
+    if (options.repeat > 1) {
+      fmt::print(stderr, "cycle {}: {:.2f} ms\n", i + 1, took.count());
+    }
+    if (i + 1 == options.repeat) {
+      add_rows(output, *criteria, csv);
+    }
+  }
+  print_result(csv.text());
+}
+
+}  // namespace
+
+void add_grid(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("grid", "The advisor's verdict on every heading and speed in one sea");
+  const auto options = std::make_shared<Options>();
+  add_hull_argument(*command, options->file);
+  add_method_options(*command, options->method);
+  add_spectrum_options(*command, options->spectrum, false);
+  CLI::Option* shape = command->get_option("--spectrum");
+  add_number(*command, "--dir-from-deg", options->dir_from_deg, {-359.999999, 359.999999},
+             "where the waves come from, true [deg]")
+      ->needs(shape);
+  CLI::Option* sea = command->add_option("--sea", options->sea_file, "sea file, or ndbc:PREFIX");
+  sea->excludes(shape);
+  command->add_option("--at", options->at, "UTC time in the sea file; default: its highest sea")->needs(sea);
+  command->add_option("--repeat", options->repeat, "steps to run; their times on standard error")
+      ->check(CLI::Range(1, 1'000'000));
+  command->callback([options, shape, sea] {
+    if (shape->empty() && sea->empty()) {
+      throw CLI::RequiredError("--spectrum or --sea");
+    }
+    run(*options);
+  });
+}
+
+}  // namespace quickstrip::hull_tool
