@@ -8,6 +8,7 @@
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
+#include "sim/hull_tool/strip_ship.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
@@ -20,8 +21,9 @@ struct Options {
 
 using Row = std::array<std::pair<const char*, std::optional<double>>, 11>;
 
-// The roll period comes with strip theory's a44; until then it is not known.
-Row row_of(const Hydrostatics& h) {
+// The roll period is that of undamped roll with strip theory's a44 at that frequency.
+Row row_of(const LoadedHull& hull) {
+  const Hydrostatics& h = hull.hydrostatics;
   return {{{"displacement_t", h.displacement / 1000.0},
            {"lcb_m", h.lcb},
            {"kb_m", h.kb},
@@ -32,7 +34,7 @@ Row row_of(const Hydrostatics& h) {
            {"cb", h.cb},
            {"cm", h.cm},
            {"cwp", h.cwp},
-           {"roll_period_s", std::nullopt}}};
+           {"roll_period_s", kTwoPi / hull.roll_natural_frequency}}};
 }
 
 std::string as_csv(const Row& row) {
@@ -57,8 +59,8 @@ std::string as_json(const Row& row) {
 }
 
 void run(const Options& options) {
-  const auto ship = float_hull(options.file, options.loading);
-  const Row row = row_of(ship->hydrostatics);
+  const StripShip ship = load_strip_ship({options.file, options.loading, {}, std::nullopt});
+  const Row row = row_of(*ship.loaded);
   print_result(options.format == "json" ? as_json(row) : as_csv(row));
 }
 
