@@ -103,8 +103,10 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
   const double speed = from_knots(speed_kn);
   refuse(ship.floating->file, solve_transfer_functions(*ship.loaded, std::span(&speed, 1), s.transfer));
   const CriteriaChannels channels = bind_criteria(*criteria, s.watch);
-  const GridInputs inputs{s.transfer,   s.watch,  *criteria, channels,    s.sea,
-                          kMaxHeadings, hull.lpp, 0.0,       ship.quality};
+  GridInputs inputs{s.transfer, s.watch, *criteria, channels, s.sea};
+  inputs.lpp = hull.lpp;
+  inputs.quality = ship.quality;
+  inputs.suppresses_low_encounter = ship.loaded->method.low_encounter == LowEncounterRule::kPaper;
   for (const double mu_deg : options.mus_deg) {
     // The ship heads north: mu = heading - from + 180 degrees.
     const WaveFrom from{wrap_two_pi(kPi - radians(mu_deg))};
