@@ -69,7 +69,7 @@ MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, d
 
   SectionHydrodynamics section;
   section_hydrodynamics(hull, omega_e, section);
-  HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, section, omega_e, speed);
+  HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
   c.b[3][3] += hull.roll_damping_added;
   const ShipTerms ship = ship_terms(hull);
   const std::array<Complex, 6> load = wave_loads(hull, field, section, omega_e, speed);

@@ -10,22 +10,14 @@ using Complex = std::complex<double>;
 
 // Integrals over the length of one pair of sectional a, b: [power of x].
 struct PairIntegrals {
-  std::array<double, 3> a{};
-  std::array<double, 3> b{};
-  std::array<double, 3> a_slope{};
-  std::array<double, 3> b_slope{};
+  const std::array<double, 3>& a;
+  const std::array<double, 3>& b;
+  const std::array<double, 3>& a_slope;
+  const std::array<double, 3>& b_slope;
 };
 
-PairIntegrals pair_integrals(const LoadedHull& hull, const SectionValues& a, const SectionValues& b) {
-  PairIntegrals out;
-  for (int n = 0; n < 3; ++n) {
-    const auto i = static_cast<std::size_t>(n);
-    out.a[i] = integral(hull, a, n);
-    out.b[i] = integral(hull, b, n);
-    out.a_slope[i] = integral_of_slope(hull, a, n);
-    out.b_slope[i] = integral_of_slope(hull, b, n);
-  }
-  return out;
+PairIntegrals pair_of(const LengthIntegrals& integrals, StripQuantity a, StripQuantity b) {
+  return {integrals.plain[a], integrals.plain[b], integrals.slope[a], integrals.slope[b]};
 }
 
 // Displacement of a strip per unit of a motion: sign * x^power (heave 1, pitch -x, sway 1, yaw x).
@@ -90,18 +82,17 @@ void add_surge(const LoadedHull& hull, HydrodynamicCoefficients& out) {
 
 }  // namespace
 
-HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull,
-                                                   const SectionHydrodynamics& section, double omega_e,
-                                                   double speed) {
+HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull, const LengthIntegrals& integrals,
+                                                   double omega_e, double speed) {
   constexpr std::array<MotionShape, 2> kVertical = {{{2, {1.0, 0}}, {4, {-1.0, 1}}}};
   constexpr std::array<MotionShape, 2> kSwayYaw = {{{1, {1.0, 0}}, {5, {1.0, 1}}}};
   constexpr std::array<MotionShape, 1> kRoll = {{{3, {1.0, 0}}}};
   const StripVariant variant = hull.method.variant;
 
-  const PairIntegrals heave = pair_integrals(hull, section[kA33], section[kB33]);
-  const PairIntegrals sway = pair_integrals(hull, section[kA22], section[kB22]);
-  const PairIntegrals coupled = pair_integrals(hull, section[kA24], section[kB24]);
-  const PairIntegrals roll = pair_integrals(hull, section[kA44], section[kB44]);
+  const PairIntegrals heave = pair_of(integrals, kA33, kB33);
+  const PairIntegrals sway = pair_of(integrals, kA22, kB22);
+  const PairIntegrals coupled = pair_of(integrals, kA24, kB24);
+  const PairIntegrals roll = pair_of(integrals, kA44, kB44);
 
   HydrodynamicCoefficients out;
   add_impedances(out, heave, variant, kVertical, kVertical, omega_e, speed);
@@ -111,6 +102,12 @@ HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull,
   add_impedances(out, roll, variant, kRoll, kRoll, omega_e, speed);
   add_surge(hull, out);
   return out;
+}
+
+HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull, double omega_e, double speed) {
+  LengthIntegrals integrals;
+  length_integrals(hull, omega_e, integrals);
+  return hydrodynamic_coefficients(hull, integrals, omega_e, speed);
 }
 
 }  // namespace quickstrip

@@ -23,9 +23,11 @@ struct HydrodynamicCoefficients {
   Matrix6 b{};  // N s/m, N s, N m s
 };
 
-/// omega_e: signed, not zero [rad/s]; speed V >= 0 [m/s].
-HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull,
-                                                   const SectionHydrodynamics& section, double omega_e,
-                                                   double speed);
+/// `integrals`: at |omega_e|. omega_e: signed, not zero [rad/s]; speed V >= 0 [m/s].
+HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull, const LengthIntegrals& integrals,
+                                                   double omega_e, double speed);
+
+/// The same, with the integrals of this frequency.
+HydrodynamicCoefficients hydrodynamic_coefficients(const LoadedHull& hull, double omega_e, double speed);
 
 }  // namespace quickstrip

@@ -185,6 +185,7 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
     for (std::size_t i = 0; i < out.num_sections; ++i) {
       table_hydrodynamics(out, i, std::exp(out.log_omega[n]), out.node[n]);
     }
+    length_integrals(out, out.node[n], out.node_integrals[n]);
   }
   out.roll_natural_frequency = roll_natural_frequency(out);
   set_roll_damping_ratio(out, hull.roll_damping.ratio);
@@ -211,6 +212,38 @@ void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrod
     const SectionValues& v2 = hull.node[s.first + 2][q];
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
       out[q][i] = s.weight[0] * v0[i] + s.weight[1] * v1[i] + s.weight[2] * v2[i];
+    }
+  }
+}
+
+void length_integrals(const LoadedHull& hull, const SectionHydrodynamics& section, LengthIntegrals& out) {
+  for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
+    for (int power = 0; power < 3; ++power) {
+      const auto n = static_cast<std::size_t>(power);
+      out.plain[q][n] = integral(hull, section[q], power);
+      out.slope[q][n] = integral_of_slope(hull, section[q], power);
+    }
+  }
+}
+
+void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out) {
+  const double log_omega = std::log(std::fabs(omega_e));
+  if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
+    SectionHydrodynamics section;
+    section_hydrodynamics(hull, omega_e, section);
+    length_integrals(hull, section, out);
+    return;
+  }
+  const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
+  const LengthIntegrals& i0 = hull.node_integrals[s.first];
+  const LengthIntegrals& i1 = hull.node_integrals[s.first + 1];
+  const LengthIntegrals& i2 = hull.node_integrals[s.first + 2];
+  for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      out.plain[q][n] =
+          s.weight[0] * i0.plain[q][n] + s.weight[1] * i1.plain[q][n] + s.weight[2] * i2.plain[q][n];
+      out.slope[q][n] =
+          s.weight[0] * i0.slope[q][n] + s.weight[1] * i1.slope[q][n] + s.weight[2] * i2.slope[q][n];
     }
   }
 }

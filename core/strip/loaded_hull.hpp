@@ -5,7 +5,7 @@
 // Froude-Krilov loads; Lewis forms give a and b. Two-dimensional coefficients are held about G at geometric
 // nodes of encounter frequency, 0.05 ... 50 sqrt(g/L), and interpolated there by second-degree Lagrange
 // polynomials in ln(omega) [Journee1992] §4; outside the nodes they come from the section table directly.
-// Memory: about 1.2 MB, static. Cost of `load`: 96 nodes x stations table look-ups, a few ms.
+// Memory: about 1.3 MB, static. Cost of `load`: 96 nodes x stations table look-ups, a few ms.
 #pragma once
 
 #include <array>
@@ -63,6 +63,12 @@ inline constexpr std::size_t kLewisPanels = 24;
 using OffsetQuadrature = ContourQuadrature<2 * (kMaxOffsets + 1)>;
 using LewisQuadrature = ContourQuadrature<2 * kLewisPanels>;
 
+/// Integrals over the length of a sectional quantity q and of its slope: of x^n q and x^n dq/dx, n = 0, 1, 2.
+struct LengthIntegrals {
+  std::array<std::array<double, 3>, kNumStripQuantities> plain{};
+  std::array<std::array<double, 3>, kNumStripQuantities> slope{};
+};
+
 struct RigidBody {
   double mass = 0.0;  // kg
   double ixx = 0.0;   // kg m2, about G
@@ -109,6 +115,8 @@ struct LoadedHull {
 
   std::array<double, kNumEncounterNodes> log_omega{};  // of the nodes, natural
   std::array<SectionHydrodynamics, kNumEncounterNodes> node{};
+  std::array<LengthIntegrals, kNumEncounterNodes>
+      node_integrals{};  // of `node`: linear in it, so interpolated alike
 };
 
 /// Fills `out`. Errors: those of immerse() and hydrostatics(), kOutOfRange for a section outside the table,
@@ -120,6 +128,12 @@ void set_roll_damping_ratio(LoadedHull& hull, double ratio);
 
 /// a, b of every section at |omega_e| [rad/s] > 0, per metre, about G.
 void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out);
+
+/// The integrals of section_hydrodynamics() at |omega_e|, without forming the sections between the nodes.
+void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out);
+
+/// The same from given sections.
+void length_integrals(const LoadedHull& hull, const SectionHydrodynamics& section, LengthIntegrals& out);
 
 /// Trapezoidal integral over the length of section values times x^power, power 0 ... 2.
 double integral(const LoadedHull& hull, const SectionValues& values, int power);

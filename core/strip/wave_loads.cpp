@@ -36,14 +36,19 @@ void slope_weights(const LoadedHull& hull, const ComplexSectionValues& g, const 
   }
 }
 
+// Two partial sums, in a fixed order: half the latency of one.
 Complex dot(const LoadedHull& hull, const SectionValues& a, const ComplexSectionValues& q) {
-  double re = 0.0;
-  double im = 0.0;
-  for (std::size_t i = 0; i < hull.num_sections; ++i) {
-    re += a[i] * q[i].real();
-    im += a[i] * q[i].imag();
+  Complex even = 0.0;
+  Complex odd = 0.0;
+  std::size_t i = 0;
+  for (; i + 1 < hull.num_sections; i += 2) {
+    even += a[i] * q[i];
+    odd += a[i + 1] * q[i + 1];
   }
-  return {re, im};
+  if (i < hull.num_sections) {
+    even += a[i] * q[i];
+  }
+  return even + odd;
 }
 
 // Diffraction load of coefficients a, b under the velocity gathered in Q and R (formulas §6):

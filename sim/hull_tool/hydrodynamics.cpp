@@ -21,12 +21,10 @@ struct Options {
 void run(const Options& options) {
   const StripShip ship = load_strip_ship(options.strip);
   Csv csv("speed_kn,omega_e_rad_s,i,j,a_si,b_si");
-  SectionHydrodynamics section;
   for (const double speed_kn : options.speeds_kn) {
     for (const double omega_e : options.omegas_e) {
-      section_hydrodynamics(*ship.loaded, omega_e, section);
       const HydrodynamicCoefficients h =
-          hydrodynamic_coefficients(*ship.loaded, section, omega_e, from_knots(speed_kn));
+          hydrodynamic_coefficients(*ship.loaded, omega_e, from_knots(speed_kn));
       for (std::size_t i = 0; i < 6; ++i) {
         for (std::size_t j = i % 2; j < 6; j += 2) {  // two uncoupled sets: {1,3,5} and {2,4,6}
           csv.add(speed_kn).add(omega_e).add(static_cast<int>(i) + 1).add(static_cast<int>(j) + 1);

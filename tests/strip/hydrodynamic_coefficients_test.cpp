@@ -29,7 +29,7 @@ struct Case {
 TEST(HydrodynamicCoefficients, ModifiedMethodWithClosedEndsIsThatOfSalvesenTuckFaltinsen) {
   const double we = 4.0, v = 1.5;
   const Case c(StripVariant::kModified, we);
-  const HydrodynamicCoefficients h = hydrodynamic_coefficients(*c.hull, c.section, we, v);
+  const HydrodynamicCoefficients h = hydrodynamic_coefficients(*c.hull, we, v);
   const double a33 = integral(*c.hull, c.section[kA33], 0), b33 = integral(*c.hull, c.section[kB33], 0);
   const double xa = integral(*c.hull, c.section[kA33], 1), xb = integral(*c.hull, c.section[kB33], 1);
   const double xxa = integral(*c.hull, c.section[kA33], 2), xxb = integral(*c.hull, c.section[kB33], 2);
@@ -49,7 +49,7 @@ TEST(HydrodynamicCoefficients, ModifiedMethodWithClosedEndsIsThatOfSalvesenTuckF
 TEST(HydrodynamicCoefficients, OrdinaryMethodWithClosedEndsIsTheTextbookForm) {
   const double we = 4.0, v = 1.5;
   const Case c(StripVariant::kOrdinary, we);
-  const HydrodynamicCoefficients h = hydrodynamic_coefficients(*c.hull, c.section, we, v);
+  const HydrodynamicCoefficients h = hydrodynamic_coefficients(*c.hull, we, v);
   const double a33 = integral(*c.hull, c.section[kA33], 0), b33 = integral(*c.hull, c.section[kB33], 0);
   const double xa = integral(*c.hull, c.section[kA33], 1), xb = integral(*c.hull, c.section[kB33], 1);
   const double xxa = integral(*c.hull, c.section[kA33], 2);
@@ -65,7 +65,7 @@ TEST(HydrodynamicCoefficients, OrdinaryMethodWithClosedEndsIsTheTextbookForm) {
 TEST(HydrodynamicCoefficients, AreSymmetricAtZeroSpeed) {
   for (const StripVariant variant : {StripVariant::kOrdinary, StripVariant::kModified}) {
     const Case c(variant, 3.0);
-    const HydrodynamicCoefficients h = hydrodynamic_coefficients(*c.hull, c.section, 3.0, 0.0);
+    const HydrodynamicCoefficients h = hydrodynamic_coefficients(*c.hull, 3.0, 0.0);
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = 0; j < 6; ++j) {
         EXPECT_NEAR(h.a[i][j], h.a[j][i], 1e-12 * (h.a[i][i] + h.a[j][j]));
@@ -81,8 +81,8 @@ TEST(HydrodynamicCoefficients, ScaleByFroudesLaw) {
   const Hull model = test::wigley_hull(1, 21);
   const Case small(StripVariant::kOrdinary, we, model);
   const Case large(StripVariant::kOrdinary, we / std::sqrt(s), test::scaled(model, s));
-  const auto a = hydrodynamic_coefficients(*small.hull, small.section, we, v);
-  const auto b = hydrodynamic_coefficients(*large.hull, large.section, we / std::sqrt(s), v * std::sqrt(s));
+  const auto a = hydrodynamic_coefficients(*small.hull, we, v);
+  const auto b = hydrodynamic_coefficients(*large.hull, we / std::sqrt(s), v * std::sqrt(s));
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t j = 0; j < 6; ++j) {
       const double power = 3.0 + (i > 2 ? 1.0 : 0.0) + (j > 2 ? 1.0 : 0.0);
@@ -103,8 +103,8 @@ TEST(HydrodynamicCoefficients, RaisingGMovesTheSwayRollCouplingByItsLever) {
   high.loading.gm = low.loading.gm = 0.02;
   const Case a(StripVariant::kOrdinary, 3.0, low);
   const Case b(StripVariant::kOrdinary, 3.0, high);
-  const auto ha = hydrodynamic_coefficients(*a.hull, a.section, 3.0, 0.0);
-  const auto hb = hydrodynamic_coefficients(*b.hull, b.section, 3.0, 0.0);
+  const auto ha = hydrodynamic_coefficients(*a.hull, 3.0, 0.0);
+  const auto hb = hydrodynamic_coefficients(*b.hull, 3.0, 0.0);
   EXPECT_NEAR(hb.a[1][3] - ha.a[1][3], 0.01 * ha.a[1][1], 1e-9 * ha.a[1][1]);
   EXPECT_NEAR(hb.b[1][3] - ha.b[1][3], 0.01 * ha.b[1][1], 1e-9 * ha.b[1][1]);
 }

@@ -40,9 +40,7 @@ TEST(WigleyIII, HeaveAddedMassAndDampingAtFn03AreThoseMeasured) {
   const double root = std::sqrt(kLength / kTankGravity);
   for (const auto& m : kMeasured) {
     const double we = m[0] / root;
-    SectionHydrodynamics section;
-    section_hydrodynamics(*hull, we, section);
-    const auto h = hydrodynamic_coefficients(*hull, section, we, speed_at(0.3));
+    const auto h = hydrodynamic_coefficients(*hull, we, speed_at(0.3));
     const double a = h.a[2][2] / hull->body.mass;
     const double b = h.b[2][2] / hull->body.mass * root;
     std::printf(
