@@ -7,8 +7,8 @@ set -euo pipefail
 build=(build-essential cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev liblcm-dev liblcm-bin libgtest-dev)
 # One version of the clang tools everywhere: another formats and warns differently.
-test=(git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux)
-demo=(iproute2 util-linux)
+test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux)
+demo=(iproute2 util-linux gnuplot-nox)
 
 wanted=()
 for set in "$@"; do

@@ -17,7 +17,7 @@
 #include "sim/hull_tool/floating_hull.hpp"
 #include "sim/hull_tool/input_error.hpp"
 #include "sim/hull_tool/list_option.hpp"
-#include "sim/hull_tool/method_options.hpp"
+#include "msgs/cli/method_options.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/spectrum_options.hpp"
 #include "sim/sea_files/sea_series.hpp"

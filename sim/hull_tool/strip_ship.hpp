@@ -9,7 +9,7 @@
 
 #include "core/strip/loaded_hull.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
-#include "sim/hull_tool/method_options.hpp"
+#include "msgs/cli/method_options.hpp"
 
 namespace quickstrip::hull_tool {
 

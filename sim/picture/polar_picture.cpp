@@ -83,7 +83,22 @@ void add_cells(Script& script, const grid_t& grid) {
   script.add(no_steerage, "with filledcurves closed fs transparent pattern 4 noborder fc rgb '#8A8A8A'");
 }
 
-void add_governing(Script& script, const grid_t& grid, const limits_t& limits) {
+/// Where the letter of a region stands: at its middle, or some columns aside when the ship lies there.
+PlanePoint letter_place(const grid_t& grid, const GoverningRegion& region, PlanePoint ship) {
+  constexpr double kClearance = 3.2;  // half a ship and half a letter
+  constexpr std::array<int, 7> kAside{0, 3, -3, 5, -5, 8, -8};
+  for (const int columns : kAside) {
+    const int h = (region.heading + columns + grid.num_headings) % grid.num_headings;
+    const PlanePoint at = cell_centre(grid, region.speed, h);
+    const bool is_clear = std::hypot(at.x - ship.x, at.y - ship.y) > kClearance;
+    if (is_clear && shown_criterion(grid, region.speed, h) == region.criterion) {
+      return at;
+    }
+  }
+  return cell_centre(grid, region.speed, region.heading);
+}
+
+void add_governing(Script& script, const grid_t& grid, const limits_t& limits, PlanePoint ship) {
   PlotData borders;
   for (int s = 0; s < grid.num_speeds; ++s) {
     for (int h = 0; h < grid.num_headings; ++h) {
@@ -106,8 +121,7 @@ void add_governing(Script& script, const grid_t& grid, const limits_t& limits) {
       continue;
     }
     const bool on_red = grid.verdict[region.speed][region.heading] == grid_t::VERDICT_EXCEEDED;
-    script.label(cell_centre(grid, region.speed, region.heading),
-                 letters[static_cast<std::size_t>(region.criterion)],
+    script.label(letter_place(grid, region, ship), letters[static_cast<std::size_t>(region.criterion)],
                  fmt::format("center font ',22' tc rgb '{}'", on_red ? "#FFFFFF" : "#3A2A1A"));
   }
 }
@@ -203,7 +217,8 @@ std::string polar_script(const PolarPicture& picture, const std::string& png) {
       quoted(png));
   add_cells(script, grid);
   add_rings(script, scale);
-  add_governing(script, grid, picture.limits);
+  add_governing(script, grid, picture.limits,
+                at_bearing(picture.advice.heading_deg, picture.advice.speed_kn * scale.units_per_kn));
   add_waves(script, picture.waves);
   add_ship_and_changes(script, picture.advice, scale);
   script.text += side_panel(picture);

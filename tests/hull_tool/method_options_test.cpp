@@ -1,4 +1,4 @@
-#include "sim/hull_tool/method_options.hpp"
+#include "msgs/cli/method_options.hpp"
 
 #include <gtest/gtest.h>
 

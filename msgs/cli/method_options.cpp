@@ -1,6 +1,6 @@
-#include "sim/hull_tool/method_options.hpp"
+#include "msgs/cli/method_options.hpp"
 
-namespace quickstrip::hull_tool {
+namespace quickstrip {
 namespace {
 
 void add_choice(CLI::App& command, const char* name, std::optional<std::string>& value, const char* first,
@@ -46,4 +46,4 @@ void add_method_options(CLI::App& command, MethodOptions& options) {
       ->group("METHOD");
 }
 
-}  // namespace quickstrip::hull_tool
+}  // namespace quickstrip

@@ -7,7 +7,7 @@
 
 #include "core/strip/method.hpp"
 
-namespace quickstrip::hull_tool {
+namespace quickstrip {
 
 /// Keep it alive until the callback has run: the options write into it.
 struct MethodOptions {
@@ -26,4 +26,4 @@ struct MethodOptions {
 /// --low-encounter floor|paper  --paper
 void add_method_options(CLI::App& command, MethodOptions& options);
 
-}  // namespace quickstrip::hull_tool
+}  // namespace quickstrip

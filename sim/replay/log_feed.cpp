@@ -1,0 +1,66 @@
+#include "sim/replay/log_feed.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "msgs/convert/encode.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr std::array<std::string_view, 9> kInputNames{"SEA_STATE", "WAVE_SPECTRUM", "SEA_FORECAST",
+                                                      "OWN_SHIP",  "LOADING",       "MOTION",
+                                                      "TIME",      "QUERY",         "ALERT_ACK"};
+
+}  // namespace
+
+std::string_view name_without_prefix(std::string_view channel, std::string_view prefix) {
+  if (!channel.starts_with(prefix)) {
+    return {};
+  }
+  const std::string_view name = channel.substr(prefix.size());
+  const bool is_ours = is_input(name) || std::find(kOutChannelNames.begin(), kOutChannelNames.end(), name) !=
+                                             kOutChannelNames.end();
+  return is_ours ? name : std::string_view{};
+}
+
+bool is_input(std::string_view name) {
+  return std::find(kInputNames.begin(), kInputNames.end(), name) != kInputNames.end();
+}
+
+template <typename Message>
+Fed LogFeed::take(const LogEvent& event, std::int64_t now, Input input, Message& message, Session& session) {
+  if (!decode(event.data, message)) {
+    session.count(input, {Refusal::kMalformed, "", -1});
+    return Fed::kRefused;
+  }
+  return session.accept(message, now).ok() ? Fed::kTaken : Fed::kRefused;
+}
+
+Fed LogFeed::feed(const LogEvent& event, std::int64_t now, Session& session) {
+  const std::string_view name = name_without_prefix(event.channel, prefix_);
+  if (name.empty()) {
+    return Fed::kUnknown;
+  }
+  if (name == "SEA_STATE") {
+    return take(event, now, Input::kSeaState, sea_state_, session);
+  }
+  if (name == "WAVE_SPECTRUM") {
+    return take(event, now, Input::kWaveSpectrum, wave_spectrum_, session);
+  }
+  if (name == "OWN_SHIP") {
+    return take(event, now, Input::kOwnShip, own_ship_, session);
+  }
+  if (name == "LOADING") {
+    return take(event, now, Input::kLoading, loading_, session);
+  }
+  if (name == "QUERY") {
+    return take(event, now, Input::kQuery, query_, session);
+  }
+  if (name == "ALERT_ACK") {
+    return take(event, now, Input::kAlertAck, acknowledgement_, session);
+  }
+  return Fed::kOther;
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,29 @@
+// One function a subcommand, each in a file of its own. A function adds its subcommand with its options and
+// sets the callback that runs it. Results go to standard output, messages to standard error; bad input throws
+// InputError (exit 1), wrong use CLI11's own errors (exit 2).
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "msgs/files/file_status.hpp"
+
+namespace quickstrip::sim_tool {
+
+struct InputError {
+  std::string line;
+};
+
+inline void require(const FileStatus& status) {
+  if (!status) {
+    throw InputError{status.line()};
+  }
+}
+
+void add_log(CLI::App& app);
+void add_replay(CLI::App& app);
+void add_inspect(CLI::App& app);
+void add_story(CLI::App& app);
+void add_picture(CLI::App& app);
+
+}  // namespace quickstrip::sim_tool

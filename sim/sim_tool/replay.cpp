@@ -1,0 +1,188 @@
+// quickstrip-sim replay LOG --hull HULL [--speed X|max] [--out LOG2] [--csv FILE]
+#include "sim/replay/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "msgs/cli/method_options.hpp"
+#include "msgs/files/ship_files.hpp"
+#include "sim/replay/advice_table.hpp"
+#include "sim/replay/publish.hpp"
+#include "sim/sim_tool/commands.hpp"
+
+namespace quickstrip::sim_tool {
+namespace {
+
+struct Options {
+  std::string log;
+  std::string hull;
+  std::string limits;
+  std::string speed = "max";
+  std::string out;
+  std::string csv;
+  bool publish = false;
+  PublishOptions far;
+  ReplayOptions replay;
+  SessionOptions session;
+  MethodOptions method;
+};
+
+/// CSV beside its name, then renamed; "-" is standard output; "" writes nothing.
+class Table {
+ public:
+  explicit Table(std::string path) : path_(std::move(path)) {
+    if (path_.empty() || path_ == "-") {
+      return;
+    }
+    file_.open(path_ + ".part");
+    if (!file_) {
+      throw InputError{path_ + ": cannot be written"};
+    }
+  }
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+  ~Table() {
+    if (file_.is_open()) {  // not finished: a failed run leaves nothing
+      file_.close();
+      std::error_code ignored;
+      std::filesystem::remove(path_ + ".part", ignored);
+    }
+  }
+  void write(const std::string& text) {
+    if (path_ == "-") {
+      fmt::print("{}", text);
+    } else if (file_.is_open()) {
+      file_ << text;
+    }
+  }
+  void finish() {
+    if (!file_.is_open()) {
+      return;
+    }
+    file_.close();
+    std::error_code error;
+    std::filesystem::rename(path_ + ".part", path_, error);
+    if (!file_ || error) {
+      throw InputError{path_ + ": cannot be written"};
+    }
+  }
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+double factor(const std::string& speed) {
+  if (speed == "max") {
+    return 0.0;
+  }
+  double value = 0.0;
+  if (!CLI::detail::lexical_cast(speed, value) || !(value > 0.0)) {
+    throw CLI::ValidationError("--speed", speed + ": a factor above 0, or max");
+  }
+  return value;
+}
+
+/// To a running advisor over LCM.
+void run_published(Options options) {
+  options.far.speed = factor(options.speed);
+  options.far.prefix = options.replay.prefix;
+  options.far.cycle_period_s = options.replay.cycle_period_s;
+  LcmLogReader log;
+  require(log.open(options.log));
+  LcmLogWriter record;
+  if (!options.out.empty()) {
+    require(record.open(options.out));
+  }
+  PublishFigures figures;
+  require(publish_log(log, options.far, options.out.empty() ? nullptr : &record, figures));
+  if (!options.out.empty()) {
+    require(record.finish());
+  }
+  fmt::print(stderr, "{} messages sent, {} cycles, {} messages received\n", figures.num_sent,
+             figures.num_cycles, figures.num_answers);
+}
+
+void run(Options options) {
+  options.replay.speed = factor(options.speed);
+  options.session.method = options.method.method();
+  options.session.cycle_period_s = options.replay.cycle_period_s;
+  options.session.log_clock = true;
+  LcmLogReader log;
+  require(log.open(options.log));
+  const auto files = std::make_unique<ShipFiles>();
+  require(read_ship_files(options.hull, options.limits, *files));
+  options.session.profile = files->profile;
+  options.session.version = Name(QUICKSTRIP_VERSION);
+  const auto session = std::make_unique<Session>();
+  if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
+    throw InputError{options.hull + ": " + message(status.error())};
+  }
+  LcmLogWriter out;
+  if (!options.out.empty()) {
+    require(out.open(options.out));
+  }
+  Table table(options.csv);
+  table.write(advice_table_header());
+  ReplayFigures figures;
+  const auto line = [&](std::int64_t) {
+    table.write(advice_table_line(session->advice(), summary(*session->output())));
+  };
+  require(replay_log(log, *session, options.replay, options.out.empty() ? nullptr : &out, line, figures));
+  if (!options.out.empty()) {
+    require(out.finish());
+  }
+  table.finish();
+  fmt::print(stderr,
+             "{} events, {} cycles ({} without advice), {} refused, {} not ours, {} damaged places; {:.1f} s "
+             "computing, slowest cycle {:.3f} s\n",
+             figures.num_events, figures.num_cycles, figures.num_without_advice, figures.num_refused,
+             figures.num_unknown, figures.num_faults, figures.computing_s, figures.slowest_cycle_s);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app) {
+  CLI::App* const command = app.add_subcommand(
+      "replay",
+      "Runs the advisor over a log, at the log's time: one cycle per change of an input and per "
+      "cycle period");
+  const auto options = std::make_shared<Options>();
+  command->add_option("LOG", options->log, "LCM log")->required();
+  command->add_option("--hull", options->hull, "Hull file; computes here, by the live process's own code");
+  command->add_flag(
+      "--publish", options->publish,
+      "Sends the inputs, with QS_TIME, to a running advisor (--clock log) instead of computing; at "
+      "speed max in step with its answers");
+  command->add_option("--url", options->far.url, "With --publish: LCM URL")->capture_default_str();
+  command->add_option("--limits", options->limits, "Limits file; default NORDFORSK 1987 for merchant ships");
+  command->add_option("--speed", options->speed, "Log seconds a second, or max")->capture_default_str();
+  command->add_option("--out", options->out, "LCM log of the inputs and of what the advisor says");
+  command->add_option("--csv", options->csv, "One line per advice; - for standard output");
+  command->add_option("--cycle-s", options->replay.cycle_period_s, "Cycle period in log time")
+      ->check(CLI::Range(0.01, 86400.0))
+      ->capture_default_str();
+  StaleAfter& stale = options->session.stale_after;
+  command->add_option("--own-ship-stale-after-s", stale.own_ship_s)->capture_default_str();
+  command->add_option("--sea-stale-after-s", stale.sea_s)->capture_default_str();
+  command->add_option("--loading-stale-after-s", stale.loading_s)->capture_default_str();
+  command->add_option("--prefix", options->replay.prefix, "Of the channel names")->capture_default_str();
+  add_method_options(*command, options->method);
+  command->callback([options] {
+    if (options->publish == !options->hull.empty()) {
+      throw CLI::ValidationError("replay", "one of --hull HULL and --publish");
+    }
+    if (options->publish) {
+      run_published(*options);
+    } else {
+      run(*options);
+    }
+  });
+}
+
+}  // namespace quickstrip::sim_tool
