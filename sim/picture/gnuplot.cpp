@@ -9,7 +9,7 @@ namespace quickstrip {
 FileStatus draw_with_gnuplot(const std::function<std::string(const std::string& png)>& script,
                              const std::string& png) {
   const std::string beside = png + ".part";
-  std::FILE* const pipe = popen("gnuplot 2>&1 >/dev/null", "w");
+  std::FILE* const pipe = popen("gnuplot >/dev/null 2>&1", "w");
   if (pipe == nullptr) {
     return FileError{png + ": gnuplot cannot be started"};
   }
@@ -19,7 +19,7 @@ FileStatus draw_with_gnuplot(const std::function<std::string(const std::string& 
   std::error_code error;
   if (!was_written || !has_ended_well || !std::filesystem::exists(beside, error)) {
     std::filesystem::remove(beside, error);
-    return FileError{png + ": not drawn; is gnuplot installed (Debian package gnuplot-nox)?"};
+    return FileError{png + ": not drawn; is the folder there, and gnuplot (Debian package gnuplot-nox)?"};
   }
   std::filesystem::rename(beside, png, error);
   if (error) {

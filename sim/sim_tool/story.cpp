@@ -26,7 +26,7 @@ std::string line_of(const RecordedAdvice& recorded) {
       recorded.sea.systems.empty() ? std::string("sea -   ") : fmt::format("Hs {:4.1f} m", recorded.sea.hs_m);
   const std::string_view text =
       advice.no_advice != 0 ? get_text(advice.no_advice_text) : get_text(advice.reasons_text);
-  return fmt::format("{}  {}  {:03.0f} {:4.1f} kn  {:<9}  {}\n", format_utc(advice.utime).substr(0, 16), sea,
+  return fmt::format("{}  {}  {:03.0f} {:4.1f} kn  {:<9}  {}", format_utc(advice.utime).substr(0, 16), sea,
                      advice.heading_deg, advice.speed_kn, verdict_word(advice), text);
 }
 
@@ -43,9 +43,16 @@ void run(const Options& options) {
   std::optional<std::int64_t> span_end;
   std::string worst_line;
   double worst = -2.0;
+  int num = 0;
+  int num_without = 0;
   const auto flush = [&] {
-    fmt::print("{}", worst_line);
-    worst_line.clear();
+    if (num > 0) {
+      fmt::print("{}{}\n", worst_line,
+                 num_without == 0 ? std::string()
+                                  : fmt::format("  [{} of {} cycles without advice]", num_without, num));
+    }
+    num = 0;
+    num_without = 0;
     worst = -2.0;
   };
   require(read_advice_log(options.log, options.prefix, [&](const RecordedAdvice& recorded) {
@@ -56,6 +63,8 @@ void run(const Options& options) {
       flush();
       *span_end += span;
     }
+    ++num;
+    num_without += recorded.advice.no_advice != 0 ? 1 : 0;
     if (badness(recorded) > worst) {
       worst = badness(recorded);
       worst_line = line_of(recorded);
