@@ -141,6 +141,9 @@ double roll_lever_shift(const LoadedHull& hull) {
 }  // namespace
 
 Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out) {
+  if (!section_table_is_intact()) {
+    return Error::kTableCorrupt;
+  }
   ImmersedSections& sections = out.immersed;
   if (const Status cut = immerse(hull, loading, sections); !cut) {
     return cut;

@@ -119,8 +119,8 @@ struct LoadedHull {
       node_integrals{};  // of `node`: linear in it, so interpolated alike
 };
 
-/// Fills `out`. Errors: those of immerse() and hydrostatics(), kOutOfRange for a section outside the table,
-/// kNotFinite. On error `out` is not to be used.
+/// Fills `out`, after verifying the section table's checksum. Errors: kTableCorrupt, those of immerse() and
+/// hydrostatics(), kOutOfRange for a section outside the table, kNotFinite. On error `out` is not to be used.
 Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out);
 
 /// Replaces the added roll damping by `ratio` of critical (0 ... 1): b44 = 2 ratio c44 / omega_n.

@@ -154,7 +154,8 @@ std::int64_t TomlTable::utime(std::string_view key) const {
     refuse(key, kWanted);
   }
   const std::int64_t days = std::chrono::sys_days(day).time_since_epoch().count();
-  const std::int64_t minutes = days * 1440 + std::int64_t{when.time.hour} * 60 + when.time.minute - when.offset->minutes;
+  const std::int64_t minutes =
+      days * 1440 + std::int64_t{when.time.hour} * 60 + when.time.minute - when.offset->minutes;
   return (minutes * 60 + when.time.second) * 1'000'000 + when.time.nanosecond / 1000;
 }
 

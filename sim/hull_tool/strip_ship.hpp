@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/strip/loaded_hull.hpp"
-#include "sim/hull_tool/floating_hull.hpp"
 #include "msgs/cli/method_options.hpp"
+#include "sim/hull_tool/floating_hull.hpp"
 
 namespace quickstrip::hull_tool {
 

@@ -25,7 +25,8 @@ struct SectionSolution {
   double damping44 = 0.0;
   double damping33 = 0.0;
   // Signed amplitudes of the radiated waves (Kochin functions without their common phase); magnitude from the
-  // damping, sign from the strength of the source and of the dipole: damping33 = h3^2, damping22 = h2^2, damping24 = h2 h4, damping44 = h4^2.
+  // damping, sign from the strength of the source and of the dipole: damping33 = h3^2, damping22 = h2^2,
+  // damping24 = h2 h4, damping44 = h4^2.
   double h2 = 0.0;
   double h4 = 0.0;
   double h3 = 0.0;
