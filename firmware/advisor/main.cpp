@@ -82,7 +82,7 @@ int run(Options& options) {
   options.session.version = Name(QUICKSTRIP_VERSION);
   const auto session = std::make_unique<Session>();
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
-    return fail(options.hull + ": " + message(status.error()));
+    return fail(refused_by_core(options.hull, status.error()));
   }
   std::unique_ptr<InputKeeper> keeper;
   if (!options.state.empty()) {

@@ -42,7 +42,7 @@ void add_value(double core_value, RimUnit unit, Sentence& out) {
     case RimUnit::kDegree:
       return out.add("{:.1f}°", value);
     case RimUnit::kMetrePerSecondSquared:
-      return out.add("{:.2f} g", value / kStandardGravity);
+      return out.add("{:.3f} g", value / kStandardGravity);  // a limit of 0.12 g is met or not at 0.001 g
     case RimUnit::kProbability:
       return add_percent(value, out);
     case RimUnit::kPerHour:

@@ -28,4 +28,9 @@ FileStatus read_ship_files(const std::string& hull, const std::string& limits, S
   return {};
 }
 
+std::string refused_by_core(const std::string& hull, Error error) {
+  return hull + ": " + message(error) + "; `quickstrip-hull check " + hull +
+         "` names the field and says what would be right";
+}
+
 }  // namespace quickstrip

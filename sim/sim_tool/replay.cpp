@@ -121,7 +121,7 @@ void run(Options options) {
   options.session.version = Name(QUICKSTRIP_VERSION);
   const auto session = std::make_unique<Session>();
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
-    throw InputError{options.hull + ": " + message(status.error())};
+    throw InputError{refused_by_core(options.hull, status.error())};
   }
   LcmLogWriter out;
   if (!options.out.empty()) {
