@@ -1,6 +1,7 @@
 #include "sim/picture/polar_picture.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -103,7 +104,8 @@ TEST(SidePanel, WordsAreWrappedAndALastLineThatIsCutSaysSo) {
 }
 
 TEST(PolarPicture, GnuplotDrawsAPngAndLeavesNothingElse) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "quickstrip_polar";
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("quickstrip_polar_" + std::to_string(getpid()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   PolarPicture picture;

@@ -2,6 +2,7 @@
 #include "sim/replay/replay.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -58,7 +59,7 @@ Voyage northward() {
 class ReplayTest : public testing::Test {
  protected:
   ReplayTest() {
-    folder_ = std::filesystem::path(testing::TempDir()) / "quickstrip_replay";
+    folder_ = std::filesystem::path(testing::TempDir()) / ("quickstrip_replay_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     hull_ = test::s175();
