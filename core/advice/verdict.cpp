@@ -46,7 +46,8 @@ struct Tally {
   bool any_caution = false;
   bool any_unwatched = false;
   bool all_finite = true;
-  double smallest_margin = static_cast<double>(kMarginUnbounded);
+  bool governing_is_caution = false;
+  double governing_margin = static_cast<double>(kMarginUnbounded);
 };
 
 void judge_criterion(const Criterion& criterion, std::size_t index, const Channel& channel,
@@ -56,10 +57,16 @@ void judge_criterion(const Criterion& criterion, std::size_t index, const Channe
   tally.all_finite = tally.all_finite && std::isfinite(value) && std::isfinite(margin);
   cell.values[index] = static_cast<float>(value);
   tally.any_exceeded = tally.any_exceeded || value > criterion.limit;
-  tally.any_caution = tally.any_caution || value > criterion.caution_fraction * criterion.limit;
-  if (cell.governing == kNoCriterion || margin < tally.smallest_margin) {
+  const bool is_caution = value > criterion.caution_fraction * criterion.limit;
+  tally.any_caution = tally.any_caution || is_caution;
+  // A criterion that gives cause for caution goes before one that does not, whatever their margins: the one
+  // that is named must be the one that decides. Whoever exceeds has the smallest margin anyway.
+  const bool goes_before =
+      is_caution != tally.governing_is_caution ? is_caution : margin < tally.governing_margin;
+  if (cell.governing == kNoCriterion || goes_before) {
     cell.governing = static_cast<std::uint8_t>(index);
-    tally.smallest_margin = margin;
+    tally.governing_is_caution = is_caution;
+    tally.governing_margin = margin;
   }
   const double share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0;
   cell.low_encounter_share = std::max(cell.low_encounter_share, static_cast<float>(share));
@@ -195,7 +202,7 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
   }
   const bool following_unwatched = static_cast<double>(cell.low_encounter_share) > kLowEncounterLimit;
   cell.verdict = verdict_of(tally, following_unwatched);
-  cell.margin = cell.governing == kNoCriterion ? 0.0F : static_cast<float>(tally.smallest_margin);
+  cell.margin = cell.governing == kNoCriterion ? 0.0F : static_cast<float>(tally.governing_margin);
   fill_columns(criteria, watch, moments, cell);
   if (following_unwatched) {
     cell.hazards |= kHazardFollowingUnwatched;

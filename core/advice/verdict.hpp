@@ -55,8 +55,9 @@ struct CellCircumstances {
   double low_encounter_share = 0.0;  // of the wave energy, where loads are forced to zero there; else 0
 };
 
-/// moments: one per channel; those not needed may be zero. Governing: the smallest margin, the first of
-/// equals. governing_system is left to the caller. A moment that is not finite makes the cell unknown,
+/// moments: one per channel; those not needed may be zero. Governing: the criterion that decides, which is
+/// the one of smallest margin among those that give cause for caution, or among all when none does; the first
+/// of equals. governing_system is left to the caller. A moment that is not finite makes the cell unknown,
 /// without values.
 Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Watch& watch,
            std::span<const ResponseMoments> moments, const CellCircumstances& circumstances);

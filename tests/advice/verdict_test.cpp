@@ -64,6 +64,17 @@ TEST_F(VerdictRules, TheSmallestMarginGoverns) {
   EXPECT_NEAR(static_cast<double>(cell().margin), 1.5, 1e-6);  // float
 }
 
+// "Near a limit: deck wetness 0.9 %, limit 5 %" was said when it was the roll that gave cause for caution.
+TEST_F(VerdictRules, CautionIsGovernedByTheCriterionThatCausesIt) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  limit(Quantity::kDeckWetness, Statistic::kProbability, 0.05);
+  roll().m0 = std::pow(0.1 / 1.3, 2);                            // margin 1.3, above 0.75 of the limit
+  deck().m0 = 36.0 / (2.0 * std::log(20.0)) / std::pow(1.2, 2);  // margin 1.2, P = 1.3 %
+  EXPECT_EQ(cell().verdict, Verdict::kCaution);
+  EXPECT_EQ(cell().governing, 0);
+  EXPECT_NEAR(static_cast<double>(cell().margin), 1.3, 1e-6);  // float
+}
+
 TEST_F(VerdictRules, NoCellIsGoodWithACriterionThatIsNotWatched) {
   limit(Quantity::kRoll, Statistic::kRms, 0.1);
   limit(Quantity::kVerticalAcceleration, Statistic::kRms, 1.5, kNowhere);
