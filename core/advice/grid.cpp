@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/sea/dispersion.hpp"
 
 namespace quickstrip {
 namespace {
@@ -20,13 +21,18 @@ bool has_velocity_row(const Channel& channel) {
 
 void list_rows(const GridInputs& inputs, GridWorkspace& workspace) {
   workspace.rows.clear();
+  std::size_t num_peak_rows = 0;
   for (std::size_t c = 0; c < inputs.watch.channels.size(); ++c) {
     if (!inputs.channels.is_needed[c]) {
       continue;
     }
-    QS_CHECK(workspace.rows.push_back({c, false}));
+    EnergyRow row{.channel = c};
+    if (feels_roll(inputs.watch.channels[c])) {
+      row.peak = num_peak_rows++;
+    }
+    QS_CHECK(num_peak_rows <= kMaxPeakRows && workspace.rows.push_back(row));
     if (has_velocity_row(inputs.watch.channels[c])) {
-      QS_CHECK(workspace.rows.push_back({c, true}));
+      QS_CHECK(workspace.rows.push_back({.channel = c, .is_velocity = true}));
     }
   }
 }
@@ -38,6 +44,35 @@ void list_directions(const SeaEnergy& sea, GridWorkspace& workspace) {
     if (std::any_of(sea.total[d].begin(), end, [](double energy) { return energy != 0.0; })) {
       QS_CHECK(workspace.directions.push_back(d));
     }
+  }
+}
+
+/// What the roll peak adds to the rows that feel it, at one relative direction.
+void fill_peak(const GridInputs& inputs, std::size_t speed, std::size_t m, GridWorkspace& workspace) {
+  const RollPeak& peak = inputs.transfer.peak[speed][solved_direction(m)];
+  workspace.peak_of[m] = &peak;
+  const std::size_t n = peak.num_points;
+  auto points = peak.solved;
+  std::array<double, kMaxPeakPoints> wave_numbers{};
+  for (std::size_t p = 0; p < n; ++p) {
+    wave_numbers[p] = wave_number(peak.omega[p], inputs.watch.gravity);
+    if (is_mirrored(m)) {
+      points[p] = mirrored(points[p]);
+    }
+  }
+  const std::size_t num_frequencies = inputs.transfer.num_frequencies;
+  std::array<double, kMaxPeakPoints> energies{};
+  for (std::size_t r = 0; r < workspace.rows.size() && n > 0; ++r) {
+    const EnergyRow& row = workspace.rows[r];
+    if (row.peak == kNoPeak) {
+      continue;
+    }
+    channel_energies(inputs.watch.channels[row.channel], std::span(points).first(n),
+                     std::span(wave_numbers).first(n), relative_direction(m), inputs.watch.gravity,
+                     std::span(energies).first(n));
+    workspace.peak[row.peak][m] =
+        peak_terms(peak, std::span(inputs.transfer.omega).first(num_frequencies),
+                   std::span(workspace.energy[r][m]).first(num_frequencies), std::span(energies).first(n));
   }
 }
 
@@ -69,6 +104,7 @@ void fill_direction(const GridInputs& inputs, std::size_t speed, std::size_t m, 
     }
     std::fill(row.begin() + static_cast<std::ptrdiff_t>(n), row.end(), 0.0);
   }
+  fill_peak(inputs, speed, m, workspace);
 }
 
 /// Sum of products in eight partial sums, so that the compiler may use vectors without reordering anything.
@@ -93,12 +129,23 @@ std::size_t relative_index(std::size_t h, std::size_t d) {
   return wave_direction(h, d);  // from = heading + pi - mu is its own inverse
 }
 
-double variance(const GridWorkspace& workspace, std::size_t row, std::size_t h, const ByDirection& sea) {
+double variance(const GridWorkspace& workspace, std::size_t row, std::size_t h, const ByDirection& sea,
+                const SeaEnergy::Densities& densities) {
   Lanes lanes{};
   for (const std::size_t d : workspace.directions) {
     add_products(workspace.energy[row][relative_index(h, d)], sea[d], lanes);
   }
-  return sum(lanes);
+  const std::size_t peak_row = workspace.rows[row].peak;
+  if (peak_row == kNoPeak) {
+    return sum(lanes);
+  }
+  double peak = 0.0;
+  for (const std::size_t d : workspace.directions) {
+    const std::size_t m = relative_index(h, d);
+    peak += peak_variance(*workspace.peak_of[m], workspace.peak[peak_row][m], densities[d]);
+  }
+  const double whole = sum(lanes) + peak;
+  return whole < 0.0 ? 0.0 : whole;  // the cubic of a density may undershoot; a NaN stays one
 }
 
 double low_encounter_variance(const GridWorkspace& workspace, std::size_t row, std::size_t h,
@@ -132,7 +179,7 @@ std::uint8_t governing_system(const GridInputs& inputs, const GridWorkspace& wor
   std::uint8_t governing = kNoSystem;
   double largest = 0.0;
   for (std::size_t s = 0; s < inputs.sea.num_systems; ++s) {
-    const double part = variance(workspace, row, h, inputs.sea.energy[s]);
+    const double part = variance(workspace, row, h, inputs.sea.energy[s], inputs.sea.density[s]);
     if (part > largest) {
       largest = part;
       governing = static_cast<std::uint8_t>(s);
@@ -147,7 +194,7 @@ Cell sweep_cell(const GridInputs& inputs, const GridWorkspace& workspace, std::s
   std::array<ResponseMoments, kMaxChannels> moments{};
   for (std::size_t r = 0; r < workspace.rows.size(); ++r) {
     const EnergyRow& row = workspace.rows[r];
-    const double value = variance(workspace, r, h, inputs.sea.total);
+    const double value = variance(workspace, r, h, inputs.sea.total, inputs.sea.total_density);
     (row.is_velocity ? moments[row.channel].m2 : moments[row.channel].m0) = value;
     if (!row.is_velocity && inputs.channels.is_watched[row.channel]) {
       moments[row.channel].m0_low_encounter = low_encounter_variance(workspace, r, h, inputs.sea.total);

@@ -29,6 +29,12 @@ inline constexpr std::size_t kNumSolvedDirections = kNumDirections / 2 + 1;
 
 // Wave frequencies of the transfer functions: resolves a JONSWAP peak of Tp 4 ... 25 s within 2 % of m0.
 inline constexpr std::size_t kMaxFrequencies = 48;
+// The roll peak between the wave frequencies: intervals of one speed and direction that are looked into, and
+// points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
+inline constexpr std::size_t kMaxPeakIntervals = 12;
+inline constexpr std::size_t kMaxPeakPoints = 36;
+// Legendre terms of the wave energy density within an interval of wave frequencies: a cubic.
+inline constexpr std::size_t kDensityTerms = 4;
 // Encounter frequencies of the loaded hull's coefficient table: three decades, 7.5 % apart, which keeps the
 // parabola between them within 3e-3 of the section table (tests/strip).
 inline constexpr std::size_t kNumEncounterNodes = 96;

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "core/base/check.hpp"
+#include "core/response/peak_terms.hpp"
+#include "core/sea/dispersion.hpp"
 
 namespace quickstrip {
 namespace {
@@ -43,6 +45,9 @@ struct RelativeEnergy {
   std::array<std::array<double, kMaxFrequencies>, kMaxWaveSystems> system{};
   std::array<double, kMaxFrequencies> total{};
   bool is_empty = true;
+  std::size_t d0 = 0;  // the two compass directions, and the share of the second
+  std::size_t d1 = 0;
+  double part = 0.0;
 };
 
 RelativeEnergy relative_energy(const SeaEnergy& sea, Heading heading, std::size_t m) {
@@ -53,6 +58,9 @@ RelativeEnergy relative_energy(const SeaEnergy& sea, Heading heading, std::size_
   const std::size_t d0 = wave_direction(h, m);
   const std::size_t d1 = wave_direction((h + 1) % kNumDirections, m);
   RelativeEnergy out;
+  out.d0 = d0;
+  out.d1 = d1;
+  out.part = part;
   for (std::size_t s = 0; s < sea.num_systems; ++s) {
     for (std::size_t f = 0; f < sea.num_frequencies; ++f) {
       const double energy = (1.0 - part) * sea.energy[s][d0][f] + part * sea.energy[s][d1][f];
@@ -83,6 +91,63 @@ void add_moments(const std::array<double, kMaxFrequencies>& h2, const TransferRo
   }
 }
 
+/// The solutions at the roll peak of one speed and relative direction.
+struct PeakRow {
+  const RollPeak& peak;
+  std::array<MotionTransfer, kMaxPeakPoints> solved;
+  std::array<double, kMaxPeakPoints> wave_number{};
+};
+
+PeakRow peak_row(const TransferFunctions& transfer, std::size_t speed, std::size_t m, double gravity) {
+  const RollPeak& peak = transfer.peak[speed][solved_direction(m)];
+  PeakRow row{.peak = peak, .solved = peak.solved};
+  for (std::size_t p = 0; p < peak.num_points; ++p) {
+    row.wave_number[p] = wave_number(peak.omega[p], gravity);
+    if (is_mirrored(m)) {
+      row.solved[p] = mirrored(row.solved[p]);
+    }
+  }
+  return row;
+}
+
+/// Terms of |H|^2 |omega_e|^order, from the values of order 0 at frequencies and points.
+PeakTerms terms_of_order(int order, const PeakRow& row, std::span<const double> omega,
+                         const TransferRow& base, std::array<double, kMaxFrequencies> at_nodes,
+                         std::array<double, kMaxPeakPoints> at_points) {
+  for (int i = 0; i < order; ++i) {
+    for (std::size_t f = 0; f < omega.size(); ++f) {
+      at_nodes[f] *= std::abs(base[f].encounter_frequency);
+    }
+    for (std::size_t p = 0; p < row.peak.num_points; ++p) {
+      at_points[p] *= std::abs(row.solved[p].encounter_frequency);
+    }
+  }
+  return peak_terms(row.peak, omega, std::span(at_nodes).first(omega.size()),
+                    std::span(at_points).first(row.peak.num_points));
+}
+
+/// What the roll peak adds; h2: |H|^2 of the channel at the wave frequencies.
+void add_peak_moments(const Channel& channel, const std::array<double, kMaxFrequencies>& h2,
+                      std::span<const double> omega, const TransferRow& base, const PeakRow& row,
+                      EncounterAngle mu, double gravity, const RelativeEnergy& energy, const SeaEnergy& sea,
+                      double weight, ResponseMoments& out) {
+  const std::size_t n = row.peak.num_points;
+  std::array<double, kMaxPeakPoints> points{};
+  channel_energies(channel, std::span(row.solved).first(n), std::span(row.wave_number).first(n), mu, gravity,
+                   std::span(points).first(n));
+  const auto variance = [&](const PeakTerms& terms, const SeaEnergy::Densities& densities) {
+    return weight * ((1.0 - energy.part) * peak_variance(row.peak, terms, densities[energy.d0]) +
+                     energy.part * peak_variance(row.peak, terms, densities[energy.d1]));
+  };
+  const PeakTerms of_m0 = terms_of_order(0, row, omega, base, h2, points);
+  out.m0 += variance(of_m0, sea.total_density);
+  out.m1 += variance(terms_of_order(1, row, omega, base, h2, points), sea.total_density);
+  out.m2 += variance(terms_of_order(2, row, omega, base, h2, points), sea.total_density);
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    out.m0_by_system[s] += variance(of_m0, sea.density[s]);
+  }
+}
+
 /// All channels, one speed, one relative direction.
 void add_direction(const TransferFunctions& transfer, std::size_t speed, std::size_t m, double weight,
                    const Watch& watch, const SeaEnergy& sea, const RelativeEnergy& energy,
@@ -92,12 +157,21 @@ void add_direction(const TransferFunctions& transfer, std::size_t speed, std::si
   if (is_mirrored(m)) {
     std::transform(row.begin(), row.begin() + n, row.begin(), mirrored);
   }
+  const PeakRow peak = peak_row(transfer, speed, m, watch.gravity);
   std::array<double, kMaxFrequencies> h2{};
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
     channel_energies(watch.channels[c], std::span(row).first(n), std::span(transfer.wave_number).first(n),
                      relative_direction(m), watch.gravity, std::span(h2).first(n));
     add_moments(h2, row, energy, sea, weight, out[c]);
+    if (peak.peak.num_points > 0 && feels_roll(watch.channels[c])) {
+      add_peak_moments(watch.channels[c], h2, std::span(transfer.omega).first(n), row, peak,
+                       relative_direction(m), watch.gravity, energy, sea, weight, out[c]);
+    }
   }
+}
+
+double at_least_zero(double value) {
+  return value < 0.0 ? 0.0 : value;  // a NaN stays one
 }
 
 /// The part of `energy` below the floor at one solved speed.
@@ -154,6 +228,15 @@ Status response_moments(const TransferFunctions& transfer, const Watch& watch, c
     }
     if (bracket->part > 0.0) {
       add_direction(transfer, bracket->upper, m, bracket->part, watch, sea, energy, out);
+    }
+  }
+  // The cubic of a density may undershoot beside a sharp edge of a measured system.
+  for (ResponseMoments& moments : out) {
+    moments.m0 = at_least_zero(moments.m0);
+    moments.m1 = at_least_zero(moments.m1);
+    moments.m2 = at_least_zero(moments.m2);
+    for (double& part : moments.m0_by_system) {
+      part = at_least_zero(part);
     }
   }
   const bool finite = std::all_of(out.begin(), out.end(), [](const ResponseMoments& moments) {

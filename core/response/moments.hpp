@@ -3,7 +3,8 @@
 // m_n = sum over directions and wave frequencies of |H|^2 |omega_e|^n times the wave energy: never by folding
 // the sea into encounter frequency, so a following sea needs no special care. Variances of systems add.
 // Between the nodes the moments are interpolated bilinearly: in heading between the directions of the wave
-// energy, in speed between the solved speeds.
+// energy, in speed between the solved speeds. Channels that feel roll are summed at the points of the roll
+// peak as well (peak_terms.hpp).
 // Cost: 2 speeds x 72 directions x frequencies x channels; 1.2 ms for 14 channels, 2 systems all round.
 #pragma once
 

@@ -35,6 +35,14 @@ void clear_grid(std::size_t num_frequencies, SeaEnergy& out) {
   for (auto& direction : out.total) {
     direction.fill(0.0);
   }
+  for (auto& system : out.density) {
+    for (auto& direction : system) {
+      direction.fill(DensityTerms{});
+    }
+  }
+  for (auto& direction : out.total_density) {
+    direction.fill(DensityTerms{});
+  }
   out.system.fill(WaveSystem{});
   out.lost_tail = 0.0;
   out.hs = 0.0;
@@ -45,6 +53,11 @@ void sum_up(double m0, double on_nodes, SeaEnergy& out) {
     for (std::size_t d = 0; d < kNumDirections; ++d) {
       for (std::size_t f = 0; f < out.num_frequencies; ++f) {
         out.total[d][f] += out.energy[s][d][f];
+      }
+      for (std::size_t i = 0; i + 1 < out.num_frequencies; ++i) {
+        for (std::size_t l = 0; l < kDensityTerms; ++l) {
+          out.total_density[d][i][l] += out.density[s][d][i][l];
+        }
       }
     }
   }

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "core/base/constants.hpp"
+#include "core/base/legendre.hpp"
 #include "core/sea/directional_spectrum.hpp"
 #include "core/sea/energy_grid.hpp"
 #include "core/sea/partition.hpp"
+#include "core/sea/quadrature.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/sea/spreading.hpp"
 
@@ -53,6 +55,44 @@ HatProducts hat_products(std::span<const double> bands, std::span<const double> 
     }
   }
   return products;
+}
+
+// Legendre terms over the interval from node n of the hat function of band b, b or b + 1 being the band whose
+// hat is taken: on [bands[b], bands[b + 1]] only. Degree 4, hence exact.
+DensityTerms piece_terms(std::span<const double> bands, std::span<const double> omega, std::size_t b,
+                         std::size_t n, std::size_t hat_of) {
+  DensityTerms terms{};
+  const double from = std::max(bands[b], omega[n]);
+  const double to = std::min(bands[b + 1], omega[n + 1]);
+  const double width = omega[n + 1] - omega[n];
+  for_each_gauss_point(from, to, 1, [&](double w, double weight) {
+    const auto p = legendre((w - omega[n]) / width);
+    const double part = weight * hat(bands, hat_of, w);
+    for (std::size_t l = 0; l < kDensityTerms; ++l) {
+      terms[l] += part * p[l] * static_cast<double>(2 * l + 1) / width;
+    }
+  });
+  return terms;
+}
+
+// What one band's row adds to the density of a system, before scaling.
+void add_density(std::span<const double> bands, std::span<const double> omega, std::size_t band,
+                 const DirectionWeights& row, SeaEnergy::Densities& densities) {
+  const std::size_t first = band > 0 ? band - 1 : 0;
+  const std::size_t last = std::min(band + 1, bands.size() - 1);
+  for (std::size_t b = first; b < last; ++b) {
+    for (std::size_t n = 0; n + 1 < omega.size(); ++n) {
+      if (!(std::max(bands[b], omega[n]) < std::min(bands[b + 1], omega[n + 1]))) {
+        continue;
+      }
+      const DensityTerms terms = piece_terms(bands, omega, b, n, band);
+      for (std::size_t d = 0; d < kNumDirections; ++d) {
+        for (std::size_t l = 0; l < kDensityTerms; ++l) {
+          densities[d][n][l] += row[d] * terms[l];
+        }
+      }
+    }
+  }
 }
 
 /// For each grid direction: the two source directions around it and the share of the second.
@@ -120,6 +160,7 @@ double place_system(const DirectionalSpectrum& spectrum, const DirectionMap& map
         on_nodes += row[d] * products[b][f];
       }
     }
+    add_density(spectrum.frequencies.span(), omega, b, row, out.density[system]);
   }
   const double m0 = out.partition.m0[system];
   const bool beyond = on_nodes < kLeastShare * m0;
@@ -129,6 +170,11 @@ double place_system(const DirectionalSpectrum& spectrum, const DirectionMap& map
   for (std::size_t d = 0; d < kNumDirections; ++d) {
     for (std::size_t f = 0; f < out.num_frequencies; ++f) {
       grid[d][f] *= scale;
+    }
+    for (DensityTerms& terms : out.density[system][d]) {
+      for (double& term : terms) {
+        term *= scale;
+      }
     }
     if (beyond) {
       grid[d][end_node] = whole[d];

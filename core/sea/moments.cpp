@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/base/check.hpp"
+#include "core/base/legendre.hpp"
 #include "core/sea/quadrature.hpp"
 
 namespace quickstrip {
@@ -63,6 +64,29 @@ void hat_energies(const Spectrum& spectrum, std::span<const double> omega, std::
     add(i, omega[i], peak);
     add(i, peak, omega[i + 1]);
   }
+}
+
+DensityTerms density_terms(const Spectrum& spectrum, double from, double to) {
+  DensityTerms terms{};
+  const auto add = [&](double left, double right) {
+    if (!(left < right)) {
+      return;
+    }
+    for_each_gauss_point(left, right, num_panels(spectrum, left, right), [&](double w, double weight) {
+      const auto p = legendre((w - from) / (to - from));
+      const double part = weight * density(spectrum, w);
+      for (std::size_t l = 0; l < kDensityTerms; ++l) {
+        terms[l] += part * p[l];
+      }
+    });
+  };
+  const double peak = std::clamp(spectrum.peak_frequency, from, to);
+  add(from, peak);
+  add(peak, to);
+  for (std::size_t l = 0; l < kDensityTerms; ++l) {
+    terms[l] *= static_cast<double>(2 * l + 1) / (to - from);
+  }
+  return terms;
 }
 
 }  // namespace quickstrip

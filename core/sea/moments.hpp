@@ -4,13 +4,17 @@
 // Sources: formulas of [Journee1992] §4; names of periods in core/NOTATION.md.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <span>
 
+#include "core/base/capacity.hpp"
 #include "core/base/constants.hpp"
 #include "core/sea/spectrum.hpp"
 
 namespace quickstrip {
+
+using DensityTerms = std::array<double, kDensityTerms>;
 
 /// Hs = 4 sqrt(m0) [m].
 inline double significant_wave_height(double m0) {
@@ -36,5 +40,10 @@ double moment_between(const Spectrum& spectrum, int n, double from, double to);
 /// strictly increasing, both spans of one length. The sum is the energy between the end nodes.
 /// Cost: about 500 densities an ordinary grid, at most 320 an interval.
 void hat_energies(const Spectrum& spectrum, std::span<const double> omega, std::span<double> energy);
+
+/// Density between two frequencies as a cubic, by least squares: sum of terms[l] P_l(t) with t from 0 to 1
+/// over the interval (core/base/legendre.hpp) [m2 s]. Moments 0 ... 3 over the interval are kept. Cost: as
+/// hat_energies, an interval.
+DensityTerms density_terms(const Spectrum& spectrum, double from, double to);
 
 }  // namespace quickstrip

@@ -15,7 +15,7 @@ using NodeEnergies = std::array<double, kMaxFrequencies>;
 
 // `shares` over direction sum to 1. Returns the energy on the nodes before scaling.
 double place_system(const Spectrum& spectrum, const DirectionWeights& shares, std::span<const double> omega,
-                    GridOfSystem& grid) {
+                    GridOfSystem& grid, SeaEnergy::Densities& densities) {
   NodeEnergies nodes{};
   const std::span<double> energies(nodes.data(), omega.size());
   hat_energies(spectrum, omega, energies);
@@ -24,7 +24,8 @@ double place_system(const Spectrum& spectrum, const DirectionWeights& shares, st
     sum += e;
   }
   const double on_nodes = sum;
-  if (sum < kLeastShare * spectrum.m0) {
+  const bool beyond = sum < kLeastShare * spectrum.m0;
+  if (beyond) {
     std::fill(energies.begin(), energies.end(), 0.0);
     energies[spectrum.peak_frequency < omega.front() ? 0 : omega.size() - 1] = spectrum.m0;
     sum = spectrum.m0;
@@ -32,6 +33,14 @@ double place_system(const Spectrum& spectrum, const DirectionWeights& shares, st
   for (std::size_t d = 0; d < kNumDirections; ++d) {
     for (std::size_t f = 0; f < omega.size(); ++f) {
       grid[d][f] = shares[d] * energies[f] * (spectrum.m0 / sum);
+    }
+  }
+  for (std::size_t i = 0; i + 1 < omega.size() && !beyond; ++i) {
+    const DensityTerms terms = density_terms(spectrum, omega[i], omega[i + 1]);
+    for (std::size_t d = 0; d < kNumDirections; ++d) {
+      for (std::size_t l = 0; l < kDensityTerms; ++l) {
+        densities[d][i][l] = shares[d] * terms[l] * (spectrum.m0 / sum);
+      }
     }
   }
   return on_nodes;
@@ -60,7 +69,7 @@ Status place_on_grid(const SeaState& sea, std::span<const double> omega, SeaEner
     if (!shares) {
       return shares.error();
     }
-    on_nodes += place_system(*spectrum, *shares, omega, out.energy[s]);
+    on_nodes += place_system(*spectrum, *shares, omega, out.energy[s], out.density[s]);
     m0 += spectrum->m0;
     out.system[s] = system;
     out.system[s].from.radians = wrap_two_pi(system.from.radians);

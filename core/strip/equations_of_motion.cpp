@@ -50,30 +50,26 @@ double floored(double omega_e, double floor) {
   return omega_e < 0.0 ? -magnitude : magnitude;
 }
 
-}  // namespace
+struct Encounter {
+  double frequency = 0.0;
+  double floored = 0.0;  // what coefficients and equations see
+  bool is_low = false;
+};
 
-double encounter_floor(const LoadedHull& hull, double omega) {
-  return std::min(0.42 * std::sqrt(hull.gravity / hull.lpp), 0.5 * omega);
+Encounter encounter_of(const LoadedHull& hull, double omega, EncounterAngle mu, double speed) {
+  Encounter out;
+  out.frequency = encounter_frequency(omega, wave_number(omega, hull.gravity), speed, mu);
+  const double floor = encounter_floor(hull, omega);
+  out.is_low = std::fabs(out.frequency) < floor;
+  out.floored = floored(out.frequency, floor);
+  return out;
 }
 
-MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed) {
-  MotionTransfer out;
-  out.encounter_frequency =
-      encounter_frequency(field.omega, wave_number(field.omega, hull.gravity), speed, field.mu);
-  const double floor = encounter_floor(hull, field.omega);
-  out.low_encounter = std::fabs(out.encounter_frequency) < floor;
-  if (out.low_encounter && hull.method.low_encounter == LowEncounterRule::kPaper) {
-    return out;  // loads forced to zero [Journee1992] §2
-  }
-  const double omega_e = floored(out.encounter_frequency, floor);
-
-  SectionHydrodynamics section;
-  section_hydrodynamics(hull, omega_e, section);
+void solve_motions(const LoadedHull& hull, double omega_e, double speed, const std::array<Complex, 6>& load,
+                   std::array<Complex, 6>& motion) {
   HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
   c.b[3][3] += hull.roll_damping_added;
   const ShipTerms ship = ship_terms(hull);
-  const std::array<Complex, 6> load = wave_loads(hull, field, section, omega_e, speed);
-
   constexpr std::array<std::array<std::size_t, 3>, 2> kSets = {{{0, 2, 4}, {1, 3, 5}}};
   for (const auto& set : kSets) {
     Matrix3c m;
@@ -87,12 +83,49 @@ MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, d
         m[r][s] = Complex(ship.restoring[i][j] - omega_e * omega_e * inertia, omega_e * c.b[i][j]);
       }
     }
-    const Vector3c motion = solve(m, f);
+    const Vector3c solved = solve(m, f);
     for (std::size_t r = 0; r < 3; ++r) {
-      out.motion[set[r]] = motion[r];
+      motion[set[r]] = solved[r];
     }
   }
+}
+
+}  // namespace
+
+double encounter_floor(const LoadedHull& hull, double omega) {
+  return std::min(0.42 * std::sqrt(hull.gravity / hull.lpp), 0.5 * omega);
+}
+
+MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
+                                  const std::array<Complex, 6>& load) {
+  const Encounter encounter = encounter_of(hull, omega, mu, speed);
+  MotionTransfer out;
+  out.encounter_frequency = encounter.frequency;
+  out.low_encounter = encounter.is_low;
+  solve_motions(hull, encounter.floored, speed, load, out.motion);
   return out;
+}
+
+MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed,
+                               std::array<Complex, 6>& load) {
+  const Encounter encounter = encounter_of(hull, field.omega, field.mu, speed);
+  MotionTransfer out;
+  out.encounter_frequency = encounter.frequency;
+  out.low_encounter = encounter.is_low;
+  if (encounter.is_low && hull.method.low_encounter == LowEncounterRule::kPaper) {
+    load = {};
+    return out;  // loads forced to zero [Journee1992] §2
+  }
+  SectionHydrodynamics section;
+  section_hydrodynamics(hull, encounter.floored, section);
+  load = wave_loads(hull, field, section, encounter.floored, speed);
+  solve_motions(hull, encounter.floored, speed, load, out.motion);
+  return out;
+}
+
+MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed) {
+  std::array<Complex, 6> load;
+  return motion_transfer(hull, field, speed, load);
 }
 
 MotionTransfer motion_transfer(const LoadedHull& hull, double omega, EncounterAngle mu, double speed) {

@@ -23,6 +23,15 @@ double encounter_floor(const LoadedHull& hull, double omega);
 /// impossible for a hull that load() accepted.
 MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed);
 
+/// The same, and the loads that move her; zero where they are forced to zero.
+MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed,
+                               std::array<Complex, 6>& load);
+
+/// Motions of a ship whose loads are known, in the wave of frequency omega from mu; not forced to zero
+/// anywhere.
+MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
+                                  const std::array<Complex, 6>& load);
+
 /// The same for one wave alone, all included: costs the field of that wave (about 20 us).
 MotionTransfer motion_transfer(const LoadedHull& hull, double omega, EncounterAngle mu, double speed);
 

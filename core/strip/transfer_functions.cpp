@@ -22,6 +22,63 @@ bool is_finite(const MotionTransfer& t) {
                      [](const Complex& m) { return std::isfinite(m.real()) && std::isfinite(m.imag()); });
 }
 
+Status solve_direction(const LoadedHull& hull, std::size_t m,
+                       std::span<const RollResonance, kMaxSpeeds> resonances, TransferFunctions& out) {
+  const EncounterAngle mu{kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1)};
+  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
+  WaveField field;
+  for (std::size_t f = 0; f < out.num_frequencies; ++f) {
+    wave_field(hull, out.omega[f], mu, haskind ? &out.workspace.correction[f] : nullptr, field);
+    for (std::size_t v = 0; v < out.num_speeds; ++v) {
+      out.solved[v][m][f] = motion_transfer(hull, field, out.speeds[v], out.workspace.load[v][f]);
+      if (!is_finite(out.solved[v][m][f])) {
+        return Error::kSingular;
+      }
+    }
+  }
+  const std::size_t n = out.num_frequencies;
+  const bool rolls = m > 0 && m + 1 < kNumSolvedDirections;  // waves from astern and ahead do not
+  for (std::size_t v = 0; v < out.num_speeds; ++v) {
+    out.peak[v][m].clear();
+    if (!rolls) {
+      continue;
+    }
+    RollPeak& peak = out.peak[v][m];
+    solve_roll_peak(hull, resonances[v], out.speeds[v], mu, std::span(out.omega).first(n),
+                    std::span(out.solved[v][m]).first(n), std::span(out.workspace.load[v]).first(n), peak);
+    for (std::size_t p = 0; p < peak.num_points; ++p) {
+      if (!is_finite(peak.solved[p])) {
+        return Error::kSingular;
+      }
+    }
+  }
+  return {};
+}
+
+Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const double> speeds,
+                                   TransferFunctions& out) {
+  if (speeds.empty() || speeds.size() > kMaxSpeeds) {
+    return Error::kTooMany;
+  }
+  out.num_speeds = speeds.size();
+  std::copy(speeds.begin(), speeds.end(), out.speeds.begin());
+  std::array<RollResonance, kMaxSpeeds> resonances{};
+  for (std::size_t v = 0; v < out.num_speeds; ++v) {
+    resonances[v] = roll_resonance(hull, out.speeds[v]);
+  }
+  if (hull.method.loads == DiffractionLoads::kHaskind) {
+    for (std::size_t f = 0; f < out.num_frequencies; ++f) {
+      beam_sea_correction(hull, out.omega[f], out.workspace.correction[f]);
+    }
+  }
+  for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
+    if (const Status solved = solve_direction(hull, m, resonances, out); !solved) {
+      return solved;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
@@ -38,33 +95,21 @@ void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
 
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
                                 TransferFunctions& out) {
-  if (speeds.empty() || speeds.size() > kMaxSpeeds) {
+  choose_frequencies(hull, out);
+  return solve_at_chosen_frequencies(hull, speeds, out);
+}
+
+Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
+                                std::span<const double> omega, TransferFunctions& out) {
+  if (omega.size() < 4 || omega.size() > kMaxFrequencies) {
     return Error::kTooMany;
   }
-  choose_frequencies(hull, out);
-  out.num_speeds = speeds.size();
-  std::copy(speeds.begin(), speeds.end(), out.speeds.begin());
-
-  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
-  BeamSeaCorrection correction;
-  WaveField field;
-  for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-    if (haskind) {
-      beam_sea_correction(hull, out.omega[f], correction);
-    }
-    for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
-      const EncounterAngle mu{kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1)};
-      wave_field(hull, out.omega[f], mu, haskind ? &correction : nullptr, field);
-      for (std::size_t v = 0; v < out.num_speeds; ++v) {
-        const MotionTransfer solved = motion_transfer(hull, field, out.speeds[v]);
-        if (!is_finite(solved)) {
-          return Error::kSingular;
-        }
-        out.solved[v][m][f] = solved;
-      }
-    }
+  out.num_frequencies = omega.size();
+  for (std::size_t f = 0; f < omega.size(); ++f) {
+    out.omega[f] = omega[f];
+    out.wave_number[f] = quickstrip::wave_number(omega[f], hull.gravity);
   }
-  return {};
+  return solve_at_chosen_frequencies(hull, speeds, out);
 }
 
 }  // namespace quickstrip

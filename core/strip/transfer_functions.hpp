@@ -1,6 +1,7 @@
 // Motion transfer functions of the loaded hull at every speed, relative direction and wave frequency of the
 // grid. Filled when the loading changes, read by every cycle. The port side is the mirror of the starboard
-// side: sway, roll and yaw change sign with mu, surge, heave and pitch do not.
+// side: sway, roll and yaw change sign with mu, surge, heave and pitch do not. Between the frequencies the
+// roll peak is solved at points of its own (roll_peak.hpp).
 #pragma once
 
 #include <array>
@@ -12,10 +13,18 @@
 #include "core/base/result.hpp"
 #include "core/strip/loaded_hull.hpp"
 #include "core/strip/motion_transfer.hpp"
+#include "core/strip/roll_peak.hpp"
+#include "core/strip/wave_loads.hpp"
 
 namespace quickstrip {
 
-/// 5 MB at full capacity: static. solved[v][m][f]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
+/// Of one direction at a time.
+struct TransferWorkspace {
+  std::array<BeamSeaCorrection, kMaxFrequencies> correction{};
+  std::array<std::array<std::array<Complex, 6>, kMaxFrequencies>, kMaxSpeeds> load{};
+};
+
+/// 9.6 MB at full capacity: static. solved[v][m][f]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
 struct TransferFunctions {
   std::size_t num_speeds = 0;
   std::size_t num_frequencies = 0;
@@ -24,14 +33,20 @@ struct TransferFunctions {
   std::array<double, kMaxFrequencies> wave_number{};
   std::array<std::array<std::array<MotionTransfer, kMaxFrequencies>, kNumSolvedDirections>, kMaxSpeeds>
       solved{};
+  std::array<std::array<RollPeak, kNumSolvedDirections>, kMaxSpeeds> peak{};  // [v][m]
+  TransferWorkspace workspace;  // scratch, no meaning between calls
 };
 
 /// Fills omega and wave_number: kMaxFrequencies geometric nodes whose range follows the hull's size.
 void choose_frequencies(const LoadedHull& hull, TransferFunctions& out);
 
 /// Solves the whole grid: speeds [m/s] >= 0, at most kMaxSpeeds. Errors: kTooMany, kSingular. Cost: 44,400
-/// solutions of 24 sections at full capacity, see the benchmark.
+/// solutions of 24 sections at full capacity and up to 31,500 more at the peaks, see the benchmark.
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
                                 TransferFunctions& out);
+
+/// The same on wave frequencies of the caller's choice: 4 ... kMaxFrequencies (else kTooMany), increasing.
+Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
+                                std::span<const double> omega, TransferFunctions& out);
 
 }  // namespace quickstrip

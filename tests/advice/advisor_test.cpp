@@ -85,6 +85,11 @@ TEST_F(AdvisorStep, AtACellOfTheGridThePresentStateIsThatCell) {
   EXPECT_EQ(output.advice.present.verdict, cell.verdict);
   EXPECT_EQ(output.advice.present.governing, cell.governing);
   EXPECT_NEAR(static_cast<double>(output.advice.present.margin), static_cast<double>(cell.margin), 1e-5);
+  // Roll, whose peak has points of its own: two ways of summing it, to the rounding of the cell's float.
+  EXPECT_GT(advisor_->transfer_functions().peak[16][18].num_points, 0u);
+  const double roll = output.present.quantities[3].rms;
+  EXPECT_EQ(output.present.quantities[3].quantity, Quantity::kRoll);
+  EXPECT_NEAR(static_cast<double>(cell.rms_roll), roll, 1e-6 * roll);
 }
 
 TEST_F(AdvisorStep, AFlatSeaIsGoodForEveryCellThatMayBeJudgedAndAStormIsNot) {

@@ -72,6 +72,23 @@ TEST(MeasuredSea, KeepsAllEnergyAndTheSystemsAddUp) {
 }
 
 // The integral of omega S over piecewise linear S is exact through hats: both are quadratic pieces.
+// As SeaEnergy.DensitiesBetweenTheNodesHoldTheEnergyOfTheNodes.
+TEST(MeasuredSea, DensitiesBetweenTheNodesHoldTheEnergyOfTheNodes) {
+  static SeaEnergy sea;
+  const auto spectrum = sampled(crossing_sea());
+  const auto omega = nodes(0.3, 2.5);  // bands lie outside on either side
+  ASSERT_TRUE(place_on_grid(*spectrum, omega, sea));
+  for (std::size_t d = 0; d < kNumDirections; ++d) {
+    for (std::size_t f = 1; f + 1 < omega.size(); ++f) {
+      const DensityTerms& left = sea.total_density[d][f - 1];
+      const DensityTerms& right = sea.total_density[d][f];
+      const double expected = (omega[f] - omega[f - 1]) * (left[0] / 2.0 + left[1] / 6.0) +
+                              (omega[f + 1] - omega[f]) * (right[0] / 2.0 - right[1] / 6.0);
+      EXPECT_NEAR(sea.total[d][f], expected, 1e-14) << d << " " << f;
+    }
+  }
+}
+
 TEST(MeasuredSea, GivesTheFirstMomentOfThePiecewiseLinearSpectrum) {
   static SeaEnergy sea;
   const auto spectrum = sampled({swell_or_sea(3.0, 9.0, 90.0, 30.0, 3.3)});

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "core/base/constants.hpp"
+#include "core/base/legendre.hpp"
 #include "core/sea/moments.hpp"
+#include "core/sea/spectrum.hpp"
 
 namespace quickstrip {
 namespace {
@@ -75,6 +78,57 @@ TEST(SeaEnergy, SumIsTheZerothMomentOfEachSystemAndOfAll) {
   }
   EXPECT_NEAR(total(energy), m0, 1e-13);
   EXPECT_NEAR(energy.hs, 4.0 * std::sqrt(m0), 1e-13);
+}
+
+// The hat function of a node is (P_0 + P_1)/2 before it and (P_0 - P_1)/2 behind it, so its energy follows
+// from the first two terms of the densities on both sides: an identity.
+TEST(SeaEnergy, DensitiesBetweenTheNodesHoldTheEnergyOfTheNodes) {
+  static SeaEnergy energy;
+  const SeaState sea =
+      sea_of({system_from(4.0, 9.0, 40.0, 30.0), system_from(1.5, 14.0, 200.0, 0.0),
+              system_from(0.1, 1.0, 10.0, 20.0)});  // the last lies above all nodes: no density
+  const auto omega = nodes();
+  ASSERT_TRUE(place_on_grid(sea, omega, energy));
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (std::size_t d = 0; d < kNumDirections; ++d) {
+      for (std::size_t f = 0; f < omega.size(); ++f) {
+        double expected = 0.0;
+        if (f > 0) {
+          const DensityTerms& left = energy.density[s][d][f - 1];
+          expected += (omega[f] - omega[f - 1]) * (left[0] / 2.0 + left[1] / 6.0);
+        }
+        if (f + 1 < omega.size()) {
+          const DensityTerms& right = energy.density[s][d][f];
+          expected += (omega[f + 1] - omega[f]) * (right[0] / 2.0 - right[1] / 6.0);
+        }
+        EXPECT_NEAR(energy.energy[s][d][f], expected, 1e-14) << s << " " << d << " " << f;
+      }
+    }
+  }
+  for (const auto& direction : energy.density[2]) {
+    for (const DensityTerms& terms : direction) {
+      EXPECT_EQ(terms, DensityTerms{});
+    }
+  }
+}
+
+// JONSWAP of gamma 7 has the steepest flank there is; the cubic of an interval of 5 % follows it.
+TEST(SeaEnergy, DensityWithinAnIntervalFollowsTheSpectrum) {
+  const Spectrum spectrum = *spectrum_of(
+      WaveSystem{4.0, 12.0, PeriodKind::kPeak, WaveFrom{0.0}, 0.0, SpectrumShape::kJonswap, 7.0});
+  const double highest = density(spectrum, spectrum.peak_frequency);
+  double worst = 0.0;
+  const auto omega = nodes(0.19, 2.2);
+  for (std::size_t i = 0; i + 1 < omega.size(); ++i) {
+    const DensityTerms terms = density_terms(spectrum, omega[i], omega[i + 1]);
+    for (double t = 0.0; t <= 1.0; t += 0.125) {
+      const auto p = legendre(t);
+      const double cubic = terms[0] * p[0] + terms[1] * p[1] + terms[2] * p[2] + terms[3] * p[3];
+      const double exact = density(spectrum, omega[i] + t * (omega[i + 1] - omega[i]));
+      worst = std::max(worst, std::fabs(cubic - exact) / highest);
+    }
+  }
+  EXPECT_LT(worst, 0.01);  // the width of the peak jumps at its top: a kink in the second derivative
 }
 
 // The fraction of Bretschneider outside the nodes is closed.

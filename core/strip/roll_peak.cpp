@@ -1,0 +1,239 @@
+#include "core/strip/roll_peak.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+#include "core/sea/dispersion.hpp"
+#include "core/strip/equations_of_motion.hpp"
+#include "core/strip/hydrodynamic_coefficients.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr double kPanelWidth = 1.5;  // of half width + distance: Gauss with three points errs below 1e-3
+// Error of a straight line relative to the peak. Where none exceeds the first (0.7 half widths between
+// frequencies at resonance), errors of one sign and the other cancel, as a trapezoidal sum over a smooth peak
+// does, to 2 exp(-2 pi/0.7) = 3e-4, and correcting a part of them would do harm.
+constexpr double kWorthwhile = 0.5;
+constexpr double kLeastGain = 1e-4;  // of the largest
+constexpr std::size_t kPointsOfPanel = 3;
+constexpr std::array<double, kPointsOfPanel> kPlace = {0.1127016653792583, 0.5, 0.8872983346207417};
+constexpr std::array<double, kPointsOfPanel> kShare = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+constexpr double kLeastHalfWidth = 1e-3;  // of the resonance: an undamped hull stays finite
+
+// The roll equation with sway and yaw eliminated.
+Complex roll_schur_complement(const LoadedHull& hull, double omega_e, double speed) {
+  HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
+  c.b[3][3] += hull.roll_damping_added;
+  const auto z = [&](std::size_t i, std::size_t j, double inertia, double stiffness) {
+    return Complex(stiffness - omega_e * omega_e * (inertia + c.a[i][j]), omega_e * c.b[i][j]);
+  };
+  const Complex sway = z(1, 1, hull.body.mass, 0.0);
+  const Complex yaw = z(5, 5, hull.body.izz, 0.0);
+  const Complex sway_yaw = z(1, 5, 0.0, 0.0);
+  const Complex yaw_sway = z(5, 1, 0.0, 0.0);
+  const Complex to_sway = z(1, 3, 0.0, 0.0);
+  const Complex to_yaw = z(5, 3, 0.0, 0.0);
+  const Complex det = sway * yaw - sway_yaw * yaw_sway;
+  const Complex answer_sway = (yaw * to_sway - sway_yaw * to_yaw) / det;
+  const Complex answer_yaw = (sway * to_yaw - yaw_sway * to_sway) / det;
+  return z(3, 3, hull.body.ixx, hull.restoring.c44) - z(3, 1, 0.0, 0.0) * answer_sway -
+         z(3, 5, 0.0, 0.0) * answer_yaw;
+}
+
+// Of one interval between wave frequencies, lengths in half widths of the peak.
+struct Sight {
+  double width = 0.0;
+  double distance = 0.0;
+  std::size_t panels = 1;
+  double error = 0.0;  // of a straight line, relative to the peak
+  double gain = 0.0;   // the same times the share of roll that may come from here
+};
+
+Sight sight_of(const RollResonance& resonance, double speed, EncounterAngle mu, double gravity, double from,
+               double to, const MotionTransfer& at_from, const MotionTransfer& at_to) {
+  const double we0 = at_from.encounter_frequency;
+  const double we1 = at_to.encounter_frequency;
+  if (at_from.low_encounter || at_to.low_encounter || (we0 < 0.0) != (we1 < 0.0)) {
+    return {};
+  }
+  // omega_e is a parabola of omega: its steepest slope is at an end, its extreme may lie between.
+  const double bend = 2.0 * speed * std::cos(mu.radians) / gravity;
+  const double slope0 = 1.0 - bend * from;
+  const double slope1 = 1.0 - bend * to;
+  double lowest = std::min(std::fabs(we0), std::fabs(we1));
+  double highest = std::max(std::fabs(we0), std::fabs(we1));
+  if (slope0 * slope1 < 0.0) {
+    const double extreme = std::fabs(0.5 / bend);
+    lowest = std::min(lowest, extreme);
+    highest = std::max(highest, extreme);
+  }
+  Sight sight;
+  sight.width = std::max(std::fabs(slope0), std::fabs(slope1)) * (to - from) / resonance.half_width;
+  sight.distance =
+      std::max({0.0, lowest - resonance.omega, resonance.omega - highest}) / resonance.half_width;
+  const double panels = std::ceil(sight.width / (kPanelWidth * (1.0 + sight.distance)));
+  constexpr double kMost = static_cast<double>(kMaxPeakPoints / kPointsOfPanel);
+  sight.panels = static_cast<std::size_t>(std::clamp(panels, 1.0, kMost));
+  const double nearness = 1.0 + sight.distance * sight.distance;
+  sight.error = sight.width * sight.width / (nearness * nearness);
+  return sight;
+}
+
+// How much roll each frequency may make: of the sea's slope what reaches roll, relative to the largest, times
+// what a wind sea's spectrum loses above resonance. So the points go where roll is.
+std::array<double, kMaxFrequencies> roll_shares(std::span<const double> omega,
+                                                std::span<const std::array<Complex, 6>> loads,
+                                                double resonance) {
+  std::array<double, kMaxFrequencies> out{};
+  for (std::size_t f = 0; f < omega.size(); ++f) {
+    const double slope = omega[f] * omega[f];
+    out[f] = std::norm(loads[f][3]) / (slope * slope);
+  }
+  const double largest = *std::max_element(out.begin(), out.end());
+  for (std::size_t f = 0; f < omega.size(); ++f) {
+    const double above = std::min(1.0, resonance / omega[f]);
+    out[f] *= largest > 0.0 ? above * above / largest : 0.0;
+  }
+  return out;
+}
+
+// The intervals that gain most, within the capacities.
+using Panels = std::array<std::size_t, kMaxFrequencies>;
+
+Panels choose_panels(std::array<Sight, kMaxFrequencies>& sights) {
+  Panels panels{};
+  const bool is_worthwhile =
+      std::any_of(sights.begin(), sights.end(), [](const Sight& s) { return s.error > kWorthwhile; });
+  if (!is_worthwhile) {
+    return panels;
+  }
+  double least = 0.0;
+  std::size_t left = kMaxPeakPoints / kPointsOfPanel;
+  for (std::size_t n = 0; n < kMaxPeakIntervals && left > 0; ++n) {
+    auto* const best = std::max_element(sights.begin(), sights.end(),
+                                        [](const Sight& a, const Sight& b) { return a.gain < b.gain; });
+    if (!(best->gain > least)) {
+      break;
+    }
+    least = std::max(least, kLeastGain * best->gain);
+    const std::size_t taken = std::min(best->panels, left);
+    panels[static_cast<std::size_t>(best - sights.begin())] = taken;
+    left -= taken;
+    best->gain = 0.0;
+  }
+  return panels;
+}
+
+void place_points(std::span<const double> omega, const Panels& panels, RollPeak& out) {
+  out.clear();
+  for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
+    if (panels[j] == 0) {
+      continue;
+    }
+    QS_CHECK(out.intervals.push_back({static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(out.num_points),
+                                      static_cast<std::uint8_t>(panels[j] * kPointsOfPanel)}));
+    const double width = (omega[j + 1] - omega[j]) / static_cast<double>(panels[j]);
+    for (std::size_t p = 0; p < panels[j]; ++p) {
+      for (std::size_t i = 0; i < kPointsOfPanel; ++i) {
+        out.omega[out.num_points] = omega[j] + width * (static_cast<double>(p) + kPlace[i]);
+        out.weight[out.num_points] = width * kShare[i];
+        ++out.num_points;
+      }
+    }
+  }
+}
+
+// Frequencies first ... first + count - 1 around the interval from j: up to six, all on its side of the
+// encounter-frequency floor, where the loads have a kink.
+struct Stencil {
+  std::size_t first = 0;
+  std::size_t count = 2;
+};
+
+Stencil stencil_around(std::span<const MotionTransfer> row, std::size_t j) {
+  constexpr std::size_t kMost = 6;
+  const auto is_alike = [&](std::size_t i) {
+    return !row[i].low_encounter && (row[i].encounter_frequency < 0.0) == (row[j].encounter_frequency < 0.0);
+  };
+  std::size_t first = j;
+  std::size_t last = j + 1;
+  for (std::size_t n = 2; n < kMost; ++n) {
+    const bool can_go_down = first > 0 && is_alike(first - 1);
+    const bool can_go_up = last + 1 < row.size() && is_alike(last + 1);
+    if (can_go_down && (!can_go_up || j - first <= last - j - 1)) {
+      --first;
+    } else if (can_go_up) {
+      ++last;
+    }
+  }
+  return {first, last - first + 1};
+}
+
+// Lagrange through the frequencies of the stencil.
+std::array<Complex, 6> load_between(std::span<const double> omega,
+                                    std::span<const std::array<Complex, 6>> loads, const Stencil& stencil,
+                                    double at) {
+  const std::size_t end = stencil.first + stencil.count;
+  std::array<Complex, 6> load{};
+  for (std::size_t i = stencil.first; i < end; ++i) {
+    double weight = 1.0;
+    for (std::size_t n = stencil.first; n < end; ++n) {
+      weight *= n == i ? 1.0 : (at - omega[n]) / (omega[i] - omega[n]);
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+      load[k] += weight * loads[i][k];
+    }
+  }
+  return load;
+}
+
+}  // namespace
+
+RollResonance roll_resonance(const LoadedHull& hull, double speed) {
+  const double natural = hull.roll_natural_frequency;
+  double low = 0.5 * natural;
+  double high = 2.0 * natural;
+  if (roll_schur_complement(hull, low, speed).real() > 0.0 &&
+      roll_schur_complement(hull, high, speed).real() < 0.0) {
+    for (int i = 0; i < 30; ++i) {  // 2 natural / 2^30: far below any width
+      const double middle = 0.5 * (low + high);
+      (roll_schur_complement(hull, middle, speed).real() > 0.0 ? low : high) = middle;
+    }
+  } else {
+    low = natural;
+    high = natural;
+  }
+  const double omega = 0.5 * (low + high);
+  const double step = 1e-3 * omega;
+  const double slope = (roll_schur_complement(hull, omega + step, speed).real() -
+                        roll_schur_complement(hull, omega - step, speed).real()) /
+                       (2.0 * step);
+  const double width = std::fabs(roll_schur_complement(hull, omega, speed).imag() / slope);
+  const double widest = omega;
+  return {omega, std::isfinite(width) ? std::clamp(width, kLeastHalfWidth * omega, widest) : widest};
+}
+
+void solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed, EncounterAngle mu,
+                     std::span<const double> omega, std::span<const MotionTransfer> row,
+                     std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out) {
+  QS_CHECK(omega.size() >= 4 && omega.size() <= kMaxFrequencies && row.size() == omega.size() &&
+           loads.size() == omega.size());
+  const std::array<double, kMaxFrequencies> share = roll_shares(omega, loads, resonance.omega);
+  std::array<Sight, kMaxFrequencies> sights{};
+  for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
+    sights[j] = sight_of(resonance, speed, mu, hull.gravity, omega[j], omega[j + 1], row[j], row[j + 1]);
+    sights[j].gain = sights[j].error * std::max(share[j], share[j + 1]);
+  }
+  place_points(omega, choose_panels(sights), out);
+  for (const PeakInterval& interval : out.intervals) {
+    const Stencil stencil = stencil_around(row, interval.node);
+    for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
+      const auto load = load_between(omega, loads, stencil, out.omega[p]);
+      out.solved[p] = motions_under_load(hull, out.omega[p], mu, speed, load);
+    }
+  }
+}
+
+}  // namespace quickstrip

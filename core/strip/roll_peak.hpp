@@ -1,0 +1,71 @@
+// The roll peak: lightly damped roll is a needle of relative width zeta that the common wave frequencies
+// miss. Coefficients and loads are smooth, so they are interpolated and the equations of motion solved again
+// at points between the frequencies, where |omega_e| meets roll resonance: up to three places in a following
+// sea.
+//
+// Resonance is that of the coupled sway-roll-yaw equations at the speed, not of roll alone: the Schur
+// complement D of the roll equation has Re D = 0 there, and half width at half power |Im D| / |dRe D/domega|.
+// Points: Gauss-Legendre, three a panel, panels no wider than 1.5 (half width + distance from resonance) in
+// |omega_e|, in the intervals where a straight line between the frequencies errs most. Loads between the
+// frequencies: Lagrange through six, coefficients as everywhere.
+// An interval with an end below the encounter-frequency floor is left alone: motions are flat there by rule.
+// Expected error, S-175 (tests/advice/roll_peak_test.cpp): roll variance within 0.9 % in beam and quartering
+// seas down to a ratio of damping of 0.02, where the frequencies alone erred by 20 %. Weak where the third
+// place, a short wave from astern, matters: loads turn by more than a radian from one frequency to the next
+// and their interpolation errs by a quarter, 6 % of the variance at worst.
+// Cost: one solution at each point, about 0.6 us; no state.
+// Source: equations [Journee1992] §2; points and widths are ours.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/base/angles.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/static_vector.hpp"
+#include "core/strip/loaded_hull.hpp"
+#include "core/strip/motion_transfer.hpp"
+
+namespace quickstrip {
+
+/// Where roll resounds at one speed, in |omega_e| [rad/s].
+struct RollResonance {
+  double omega = 0.0;
+  double half_width = 0.0;  // > 0
+};
+
+/// Points first ... first + count - 1 lie between wave frequencies `node` and `node` + 1.
+struct PeakInterval {
+  std::uint8_t node = 0;
+  std::uint8_t first = 0;
+  std::uint8_t count = 0;
+};
+
+/// Solutions between the wave frequencies at one speed and direction. An integral over an interval is the sum
+/// of weight times value over its points.
+struct RollPeak {
+  StaticVector<PeakInterval, kMaxPeakIntervals> intervals;  // in increasing frequency
+  std::size_t num_points = 0;
+  std::array<double, kMaxPeakPoints> omega{};   // wave frequency [rad/s]
+  std::array<double, kMaxPeakPoints> weight{};  // rad/s
+  std::array<MotionTransfer, kMaxPeakPoints> solved{};
+
+  void clear() {
+    intervals.clear();
+    num_points = 0;
+  }
+};
+
+/// At speed V >= 0 [m/s]. Without a change of sign within half and twice the uncoupled natural frequency:
+/// that frequency, and its own damping.
+RollResonance roll_resonance(const LoadedHull& hull, double speed);
+
+/// `omega`: the wave frequencies, at least four, increasing; `row` and `loads`: solved and loaded there.
+void solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed, EncounterAngle mu,
+                     std::span<const double> omega, std::span<const MotionTransfer> row,
+                     std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out);
+
+}  // namespace quickstrip
