@@ -126,25 +126,37 @@ PeakTerms terms_of_order(int order, const PeakRow& row, std::span<const double> 
                     std::span(at_points).first(row.peak.num_points));
 }
 
+/// The waves of one relative direction at one solved speed: what they hold, and what the ship does in them.
+struct Incidence {
+  const SeaEnergy& sea;
+  const RelativeEnergy& energy;
+  double weight;  // of this speed among those interpolated between
+  std::span<const double> omega;
+  const TransferRow& base;
+  const PeakRow& row;
+  EncounterAngle mu;
+  double gravity;
+};
+
 /// What the roll peak adds; h2: |H|^2 of the channel at the wave frequencies.
 void add_peak_moments(const Channel& channel, const std::array<double, kMaxFrequencies>& h2,
-                      std::span<const double> omega, const TransferRow& base, const PeakRow& row,
-                      EncounterAngle mu, double gravity, const RelativeEnergy& energy, const SeaEnergy& sea,
-                      double weight, ResponseMoments& out) {
+                      const Incidence& waves, ResponseMoments& out) {
+  const PeakRow& row = waves.row;
   const std::size_t n = row.peak.num_points;
   std::array<double, kMaxPeakPoints> points{};
-  channel_energies(channel, std::span(row.solved).first(n), std::span(row.wave_number).first(n), mu, gravity,
-                   std::span(points).first(n));
-  const auto variance = [&](const PeakTerms& terms, const SeaEnergy::Densities& densities) {
-    return weight * ((1.0 - energy.part) * peak_variance(row.peak, terms, densities[energy.d0]) +
-                     energy.part * peak_variance(row.peak, terms, densities[energy.d1]));
+  channel_energies(channel, std::span(row.solved).first(n), std::span(row.wave_number).first(n), waves.mu,
+                   waves.gravity, std::span(points).first(n));
+  const auto variance = [&waves](const PeakTerms& terms, const SeaEnergy::Densities& densities) {
+    const RelativeEnergy& at = waves.energy;
+    return waves.weight * ((1.0 - at.part) * peak_variance(waves.row.peak, terms, densities[at.d0]) +
+                           at.part * peak_variance(waves.row.peak, terms, densities[at.d1]));
   };
-  const PeakTerms of_m0 = terms_of_order(0, row, omega, base, h2, points);
-  out.m0 += variance(of_m0, sea.total_density);
-  out.m1 += variance(terms_of_order(1, row, omega, base, h2, points), sea.total_density);
-  out.m2 += variance(terms_of_order(2, row, omega, base, h2, points), sea.total_density);
-  for (std::size_t s = 0; s < sea.num_systems; ++s) {
-    out.m0_by_system[s] += variance(of_m0, sea.density[s]);
+  const PeakTerms of_m0 = terms_of_order(0, row, waves.omega, waves.base, h2, points);
+  out.m0 += variance(of_m0, waves.sea.total_density);
+  out.m1 += variance(terms_of_order(1, row, waves.omega, waves.base, h2, points), waves.sea.total_density);
+  out.m2 += variance(terms_of_order(2, row, waves.omega, waves.base, h2, points), waves.sea.total_density);
+  for (std::size_t s = 0; s < waves.sea.num_systems; ++s) {
+    out.m0_by_system[s] += variance(of_m0, waves.sea.density[s]);
   }
 }
 
@@ -158,14 +170,16 @@ void add_direction(const TransferFunctions& transfer, std::size_t speed, std::si
     std::transform(row.begin(), row.begin() + n, row.begin(), mirrored);
   }
   const PeakRow peak = peak_row(transfer, speed, m, watch.gravity);
+  const Incidence waves{
+      sea,          energy, weight, std::span(transfer.omega).first(n), row, peak, relative_direction(m),
+      watch.gravity};
   std::array<double, kMaxFrequencies> h2{};
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
     channel_energies(watch.channels[c], std::span(row).first(n), std::span(transfer.wave_number).first(n),
                      relative_direction(m), watch.gravity, std::span(h2).first(n));
     add_moments(h2, row, energy, sea, weight, out[c]);
     if (peak.peak.num_points > 0 && feels_roll(watch.channels[c])) {
-      add_peak_moments(watch.channels[c], h2, std::span(transfer.omega).first(n), row, peak,
-                       relative_direction(m), watch.gravity, energy, sea, weight, out[c]);
+      add_peak_moments(watch.channels[c], h2, waves, out[c]);
     }
   }
 }
