@@ -127,10 +127,10 @@ double quantile(const std::vector<double>& sorted, double share) {
 void print_accuracy(const AccuracyStudy& study, const char* title, std::ostream& out) {
   fmt::print(out, "{}: {} points, {} not converged; error in %\n", title, study.errors[0].size(),
              study.not_converged);
-  fmt::print(out, "      median    90 %    99 %   worst   at H0   sigma      xi\n");
+  fmt::print(out, "      median    90 %    99 %   worst   at H0   sigma        xi\n");
   for (std::size_t k = 0; k < kNumCoefficients; ++k) {
     const std::vector<double>& e = study.errors[k];
-    fmt::print(out, "{} {:8.4f}{:8.4f}{:8.4f}{:8.3f}{:8.3f}{:8.3f}{:8.4g}\n", kNames[k],
+    fmt::print(out, "{} {:8.4f}{:8.4f}{:8.4f}{:8.3f}{:8.3f}{:8.3f} {:9.4g}\n", kNames[k],
                100.0 * quantile(e, 0.5), 100.0 * quantile(e, 0.9), 100.0 * quantile(e, 0.99),
                100.0 * quantile(e, 1.0), study.worst_h0[k], study.worst_sigma[k], study.worst_xi[k]);
   }
