@@ -17,14 +17,6 @@ double rayleigh_exceedance(double level, double m0) {
   return m0 > 0.0 ? std::exp(-level * level / (2.0 * m0)) : 0.0;
 }
 
-double mean_period(double m0, double m1) {
-  return m1 > 0.0 ? kTwoPi * m0 / m1 : 0.0;
-}
-
-double zero_crossing_period(double m0, double m2) {
-  return m2 > 0.0 ? kTwoPi * std::sqrt(m0 / m2) : 0.0;
-}
-
 double oscillations_per_hour(double m0, double m2) {
   return m0 > 0.0 ? 3600.0 / kTwoPi * std::sqrt(m2 / m0) : 0.0;
 }

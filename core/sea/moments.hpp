@@ -20,13 +20,13 @@ using DensityTerms = std::array<double, kDensityTerms>;
 inline double significant_wave_height(double m0) {
   return 4.0 * std::sqrt(m0);
 }
-/// T1 = 2 pi m0 / m1 [s].
+/// T1 = 2 pi m0 / m1 [s], of a sea or of a response; 0 where nothing moves.
 inline double mean_period(double m0, double m1) {
-  return kTwoPi * m0 / m1;
+  return m1 > 0.0 ? kTwoPi * m0 / m1 : 0.0;
 }
-/// T2 = 2 pi sqrt(m0 / m2) [s].
+/// T2 = 2 pi sqrt(m0 / m2) [s]; 0 where nothing moves.
 inline double zero_crossing_period(double m0, double m2) {
-  return kTwoPi * std::sqrt(m0 / m2);
+  return m2 > 0.0 ? kTwoPi * std::sqrt(m0 / m2) : 0.0;
 }
 
 /// m_n of the whole spectrum, tail to infinity; n = 0, 1 or 2.

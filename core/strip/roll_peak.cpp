@@ -74,7 +74,8 @@ Sight sight_of(const RollResonance& resonance, double speed, EncounterAngle mu, 
   sight.distance =
       std::max({0.0, lowest - resonance.omega, resonance.omega - highest}) / resonance.half_width;
   const double panels = std::ceil(sight.width / (kPanelWidth * (1.0 + sight.distance)));
-  constexpr double kMost = static_cast<double>(kMaxPeakPoints / kPointsOfPanel);
+  constexpr std::size_t kMostPanels = kMaxPeakPoints / kPointsOfPanel;
+  constexpr auto kMost = static_cast<double>(kMostPanels);
   sight.panels = static_cast<std::size_t>(std::clamp(panels, 1.0, kMost));
   const double nearness = 1.0 + sight.distance * sight.distance;
   sight.error = sight.width * sight.width / (nearness * nearness);
