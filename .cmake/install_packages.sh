@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and nothing when none is.
-#   cmake/install_packages.sh build|test|demo ...
+#   .cmake/install_packages.sh build|test|demo ...
 # Needs Debian 12, Ubuntu 24.04 or newer (CMake 3.25), and root or sudo when something is missing.
 set -euo pipefail
 
