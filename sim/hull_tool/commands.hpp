@@ -15,6 +15,7 @@ void add_hydrodynamics(CLI::App& app);
 void add_motions(CLI::App& app);
 void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
+void add_compare(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -26,6 +27,7 @@ inline void add_commands(CLI::App& app) {
   add_motions(app);
   add_responses(app);
   add_grid(app);
+  add_compare(app);
 }
 
 }  // namespace quickstrip::hull_tool

@@ -191,6 +191,42 @@ TEST(HullTool, MissingFileAndUnknownKeyAreRefused) {
   expect_one_line_refusal(run("check " + misspelt.path()), {"kgm", "kg_m"});
 }
 
+TEST(HullTool, ComparePrintsOneLineASpeedAndDirectionAndRefusesAFileThatIsNone) {
+  const std::string s175 = kHulls + "s175.hull.toml";
+  const std::string golden = std::string(QUICKSTRIP_SOURCE_DIR) + "/tests/golden/s175_veres_amplitudes.csv";
+  const Outcome table =
+      run("compare " + s175 + " --with " + golden + " --method modified --surge inertia-only");
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_NE(table.out.find("RMS, %"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("20     150"), std::string::npos) << table.out;
+  const Outcome csv = run("compare " + s175 + " --format csv --with " + golden);
+  EXPECT_EQ(csv.out.substr(0, csv.out.find('\n')),
+            "speed_kn,mu_deg,motion,frequencies,peak,scale,rms_percent,worst_percent,worst_omega_rad_s");
+  expect_one_line_refusal(run("compare " + s175 + " --with " + s175), {"s175.hull.toml: line", "header"});
+  expect_one_line_refusal(run("compare " + s175 + " --with nowhere.csv"), {"nowhere.csv"});
+}
+
+// The program compared with what it prints itself: nothing differs but the point of the motions.
+TEST(HullTool, CompareWithItsOwnMotionsAtGFindsNoDifference) {
+  const auto motions = scratch("motions.csv");
+  const std::string s175 = kHulls + "s175.hull.toml";
+  std::ofstream(motions)
+      << run("motions " + s175 + " --speed-kn 0,15 --mu-deg 45,135 --omega 0.3:1.5:0.3").out;
+  const Outcome same = run("compare " + s175 + " --at G --format csv --with " + motions.string());
+  std::filesystem::remove(motions);
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  std::istringstream lines(same.out);
+  std::string line;
+  std::getline(lines, line);
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows) {
+    double rms = 1.0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%*f,%*f,%*[a-z],%*d,%*f,%*f,%lf", &rms), 1) << line;
+    EXPECT_LT(rms, 1e-6) << line;  // ten digits are printed
+  }
+  EXPECT_EQ(rows, 24);
+}
+
 TEST(HullTool, FullDiskIsSaidAndExitsOne) {
   const auto err = scratch("err");
   const std::string command = std::string(QUICKSTRIP_HULL_PROGRAM) + " check " + kHulls +
