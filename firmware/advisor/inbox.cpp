@@ -38,8 +38,8 @@ Inbox::Inbox(lcm::LCM& bus, const std::string& prefix) : bus_(bus) {
       },
       this);
   clock->setQueueCapacity(kQueueCapacity);
-  subscribe_count(prefix + "MOTION", motions);
-  subscribe_count(prefix + "SEA_FORECAST", forecasts);
+  subscribe(prefix + "MOTION", motion);
+  subscribe(prefix + "SEA_FORECAST", forecast);
 }
 
 Inbox::~Inbox() {
@@ -55,15 +55,6 @@ void Inbox::subscribe(const std::string& channel, InboxSlot<Message>& slot) {
       },
       &slot);
   subscription->setQueueCapacity(kQueueCapacity);
-}
-
-void Inbox::subscribe_count(const std::string& channel, std::atomic<std::int64_t>& count) {
-  bus_.subscribeFunction<std::atomic<std::int64_t>*>(
-      channel,
-      [](const lcm::ReceiveBuffer*, const std::string&, std::atomic<std::int64_t>* num) {
-        num->fetch_add(1, std::memory_order_relaxed);
-      },
-      &count);
 }
 
 void Inbox::start() {

@@ -21,7 +21,9 @@
 #include "firmware/session/inputs.hpp"
 #include "quickstrip/alert_t.hpp"
 #include "quickstrip/clock_t.hpp"
+#include "quickstrip/motion_t.hpp"
 #include "quickstrip/query_t.hpp"
+#include "quickstrip/sea_forecast_t.hpp"
 
 namespace quickstrip {
 
@@ -32,7 +34,7 @@ struct InboxSlot {
   std::atomic<std::int64_t> malformed{0};
 };
 
-/// The channels that are received. 80 kB of messages three times over: not on the stack.
+/// The channels that are received. 110 kB of messages three times over: not on the stack.
 class Inbox {
  public:
   /// Subscribes to PREFIX + names on `bus`, which must outlive this object.
@@ -55,14 +57,12 @@ class Inbox {
   InboxSlot<query_t> query;
   InboxSlot<alert_t> acknowledgement;
   InboxSlot<clock_t> time;
-  // Received and counted, not used yet.
-  std::atomic<std::int64_t> motions{0};
-  std::atomic<std::int64_t> forecasts{0};
+  InboxSlot<motion_t> motion;
+  InboxSlot<sea_forecast_t> forecast;
 
  private:
   template <typename Message>
   void subscribe(const std::string& channel, InboxSlot<Message>& slot);
-  void subscribe_count(const std::string& channel, std::atomic<std::int64_t>& count);
   void receive();
 
   lcm::LCM& bus_;

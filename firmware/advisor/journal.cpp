@@ -19,6 +19,11 @@ struct UtcText {
   }
 };
 
+/// By Input.
+constexpr const char* kInputNames[kNumInputs] = {"SEA_STATE", "WAVE_SPECTRUM", "SEA_FORECAST",
+                                                 "OWN_SHIP",  "LOADING",       "MOTION",
+                                                 "TIME",      "QUERY",         "ALERT_ACK"};
+
 const char* word(int verdict) {
   switch (verdict) {
     case 1:
@@ -60,16 +65,20 @@ void Journal::follow(const advice_t& advice) {
 void Journal::follow(const Inputs& inputs, std::int64_t utime) {
   std::int64_t num_refused = 0;
   const Conversion* last = nullptr;
+  const char* channel = "";
   for (std::size_t i = 0; i < kNumInputs; ++i) {
     const InputCounters& counters = inputs.counters(static_cast<Input>(i));
     num_refused += counters.refused;
-    last = counters.refused > 0 ? &counters.last_refusal : last;
+    if (counters.refused > 0) {
+      last = &counters.last_refusal;
+      channel = kInputNames[i];
+    }
   }
   const bool is_first_of_many = num_refused_ == 0 && num_refused > 0;
   if (is_first_of_many) {  // the rest is counted in QS_HEALTH
     const UtcText time(utime);
-    std::fprintf(stderr, "%s a message was refused: %s (%s); from here on counted in QS_HEALTH\n", time.text,
-                 message(last->refusal), last->field);
+    std::fprintf(stderr, "%s a message was refused: %s: %s%s%s; from here on counted in QS_HEALTH\n",
+                 time.text, channel, last->field, last->field[0] != '\0' ? ": " : "", message(last->refusal));
   }
   num_refused_ = num_refused;
 }

@@ -72,19 +72,26 @@ bool Live::run_by_log_time(const std::atomic<bool>& stop) {
     if (!inbox_.time_has_come().try_acquire_for(kLook) || !inbox_.time.newest.take()) {
       continue;
     }
-    session_.count(Input::kTime, {});
-    cycle(inbox_.time.newest.front().utime);
+    const clock_t& time = inbox_.time.newest.front();
+    if (session_.accept(time).ok()) {  // refusals are counted and told
+      cycle(time.utime);
+    }
   }
   return true;
 }
 
 template <typename Message>
-void Live::take(InboxSlot<Message>& slot, Input input, std::int64_t now) {
+void Live::count_lost(InboxSlot<Message>& slot, Input input) {
   const std::int64_t malformed = slot.malformed.load(std::memory_order_relaxed);
   for (std::int64_t& seen = malformed_seen_[index(input)]; seen < malformed; ++seen) {
     session_.count(input, {Refusal::kMalformed, "", -1});
   }
   figures_.dropped_before[index(input)] = slot.newest.overtaken();
+}
+
+template <typename Message>
+void Live::take(InboxSlot<Message>& slot, Input input, std::int64_t now) {
+  count_lost(slot, input);
   if (slot.newest.take()) {
     static_cast<void>(session_.accept(slot.newest.front(), now));  // refusals are counted and told
   }
@@ -97,12 +104,9 @@ void Live::take_inputs(std::int64_t now) {
   take(inbox_.loading, Input::kLoading, now);
   take(inbox_.query, Input::kQuery, now);
   take(inbox_.acknowledgement, Input::kAlertAck, now);
-  for (std::int64_t n = inbox_.motions.exchange(0); n > 0; --n) {
-    session_.count(Input::kMotion, {});
-  }
-  for (std::int64_t n = inbox_.forecasts.exchange(0); n > 0; --n) {
-    session_.count(Input::kSeaForecast, {});
-  }
+  take(inbox_.motion, Input::kMotion, now);
+  take(inbox_.forecast, Input::kSeaForecast, now);
+  count_lost(inbox_.time, Input::kTime);
 }
 
 void Live::cycle(std::int64_t now) {

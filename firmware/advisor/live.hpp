@@ -34,6 +34,8 @@ class Live {
   void take_inputs(std::int64_t now);
   void cycle(std::int64_t now);
   template <typename Message>
+  void count_lost(InboxSlot<Message>& slot, Input input);
+  template <typename Message>
   void take(InboxSlot<Message>& slot, Input input, std::int64_t now);
 
   Session& session_;

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "core/advice/advice.hpp"
+#include "firmware/session/repeat.hpp"
+#include "msgs/convert/received_checks.hpp"
 #include "msgs/convert/text.hpp"
-#include "msgs/convert/units.hpp"
 
 namespace quickstrip {
 namespace {
@@ -72,7 +73,7 @@ void Alerts::follow(const advice_t& advice) {
     return;  // the next cycle tells
   }
   if (advice.no_advice != 0) {
-    const bool is_starting = seconds_between(first_utime_, advice.utime) < grace_s_;
+    const bool is_starting = !is_due_again(first_utime_, advice.utime, grace_s_);
     if (!is_starting) {
       put_text(get_text(advice.no_advice_text), none.text);
       raise(none, alert_t::PRIORITY_WARNING, advice);
@@ -93,6 +94,9 @@ void Alerts::follow(const advice_t& advice) {
 }
 
 Conversion Alerts::accept(const alert_t& acknowledgement, std::int64_t now) {
+  if (const Conversion checked = check_acknowledgement(acknowledgement); !checked) {
+    return checked;
+  }
   const bool is_known = acknowledgement.alert_id >= 1 &&
                         acknowledgement.alert_id <= static_cast<std::int32_t>(kNumAlerts) &&
                         acknowledgement.instance == 1;
@@ -120,8 +124,7 @@ const alert_t* Alerts::next_to_send(std::int64_t now) {
   for (std::size_t i = 0; i < kNumAlerts; ++i) {
     alert_t& alert = alerts_[i];
     const bool is_changed = alert.revision != sent_revision_[i];
-    const bool is_due =
-        alert.state != alert_t::STATE_NORMAL && seconds_between(sent_utime_[i], now) >= kRepeat_s;
+    const bool is_due = alert.state != alert_t::STATE_NORMAL && is_due_again(sent_utime_[i], now, kRepeat_s);
     if (is_changed || is_due) {
       sent_revision_[i] = alert.revision;
       sent_utime_[i] = now;

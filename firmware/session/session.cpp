@@ -7,6 +7,8 @@
 #include "msgs/convert/digest.hpp"
 #include "msgs/convert/grid_message.hpp"
 #include "msgs/convert/limits_message.hpp"
+#include "msgs/convert/received_checks.hpp"
+#include "msgs/convert/sea_message.hpp"
 
 namespace quickstrip {
 
@@ -64,6 +66,30 @@ Conversion Session::accept(const query_t& message, std::int64_t /*now*/) {
 Conversion Session::accept(const alert_t& acknowledgement, std::int64_t now) {
   const Conversion conversion = alerts_.accept(acknowledgement, now);
   inputs_.counters(Input::kAlertAck).count(conversion);
+  return conversion;
+}
+
+/// One from the future by more than the tolerance is refused, as HeldInput does.
+Conversion Session::count_measured(Input input, const Conversion& conversion, std::int64_t utime,
+                                   std::int64_t now) {
+  const bool is_early =
+      conversion.ok() && !(seconds_between(utime, now) >= -options_.stale_after.future_tolerance_s);
+  const Conversion result = is_early ? Conversion{Refusal::kFromTheFuture, "utime"} : conversion;
+  count(input, result);
+  return result;
+}
+
+Conversion Session::accept(const motion_t& message, std::int64_t now) {
+  return count_measured(Input::kMotion, check_motion(message), message.utime, now);
+}
+
+Conversion Session::accept(const sea_forecast_t& message, std::int64_t now) {
+  return count_measured(Input::kSeaForecast, check_forecast(message), message.utime, now);
+}
+
+Conversion Session::accept(const clock_t& message) {
+  const Conversion conversion = check_clock(message);
+  count(Input::kTime, conversion);
   return conversion;
 }
 

@@ -27,11 +27,14 @@
 #include "msgs/convert/encode.hpp"
 #include "msgs/convert/response_message.hpp"
 #include "quickstrip/advice_t.hpp"
+#include "quickstrip/clock_t.hpp"
 #include "quickstrip/grid_t.hpp"
 #include "quickstrip/health_t.hpp"
 #include "quickstrip/limits_t.hpp"
+#include "quickstrip/motion_t.hpp"
 #include "quickstrip/query_t.hpp"
 #include "quickstrip/response_t.hpp"
+#include "quickstrip/sea_forecast_t.hpp"
 
 namespace quickstrip {
 
@@ -72,10 +75,16 @@ class Session {
   /// Answered in the next cycle.
   Conversion accept(const query_t& message, std::int64_t now);
   Conversion accept(const alert_t& acknowledgement, std::int64_t now);
-  /// For what the session does not take itself: bytes that do not decode, and kinds not used yet.
+  /// Checked and counted; not used yet.
+  Conversion accept(const motion_t& message, std::int64_t now);
+  Conversion accept(const sea_forecast_t& message, std::int64_t now);
+  /// The caller's clock with log time: a cycle may run at its utime only if this is ok.
+  Conversion accept(const clock_t& message);
+  /// For what the session does not see: bytes that do not decode.
   void count(Input input, const Conversion& conversion);
   void set_run_figures(const RunFigures& figures) { figures_ = figures; }
 
+  /// `now` between 1970 and 2200 (is_time); may be before that of the last cycle.
   void cycle(std::int64_t now, Outbox& outbox);
 
   [[nodiscard]] bool is_rebuild_due() const { return advisor_.is_rebuild_due(); }
@@ -90,6 +99,7 @@ class Session {
   [[nodiscard]] const Inputs& inputs() const { return inputs_; }
 
  private:
+  Conversion count_measured(Input input, const Conversion& conversion, std::int64_t utime, std::int64_t now);
   Fitness judge(std::int64_t now, Input& sea_in_force) const;
   const StepOutput& step(const Fitness& fitness, Input sea_in_force);
   void fill_advice(std::int64_t now, const StepOutput& output, const Fitness& fitness, Input sea_in_force);

@@ -1,6 +1,7 @@
 // What a session sends: each message filled, stamped, encoded into the one static buffer, handed over.
 #include <algorithm>
 
+#include "firmware/session/repeat.hpp"
 #include "firmware/session/session.hpp"
 #include "msgs/convert/advice_message.hpp"
 #include "msgs/convert/digest.hpp"
@@ -64,7 +65,7 @@ void Session::fill_advice(std::int64_t now, const StepOutput& output, const Fitn
 }
 
 void Session::send_limits(std::int64_t now, Outbox& outbox) {
-  if (limits_sent_ != 0 && seconds_between(limits_sent_, now) < kLimitsEvery_s - kSlack_s) {
+  if (!is_due_again(limits_sent_, now, kLimitsEvery_s - kSlack_s)) {
     return;
   }
   limits_.utime = limits_.utime == 0 ? now : limits_.utime;  // since when they are in force
@@ -115,7 +116,7 @@ void Session::send_alerts(std::int64_t now, Outbox& outbox) {
 
 // One column of fields: longer than other functions for that reason alone.
 void Session::send_health(std::int64_t now, Outbox& outbox) {
-  if (health_sent_ != 0 && seconds_between(health_sent_, now) < kHealthEvery_s - kSlack_s) {
+  if (!is_due_again(health_sent_, now, kHealthEvery_s - kSlack_s)) {
     return;
   }
   health_sent_ = now;

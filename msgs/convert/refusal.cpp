@@ -29,7 +29,7 @@ const char* message(Refusal refusal) {
     case Refusal::kEmpty:
       return "the spectrum holds no energy";
     case Refusal::kTime:
-      return "the time of measurement is not after 1970";
+      return "the time of measurement does not lie between 1970 and 2200";
     case Refusal::kInconsistent:
       return "fields contradict each other";
     case Refusal::kSpeedOutsideGrid:

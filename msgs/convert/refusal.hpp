@@ -20,7 +20,7 @@ enum class Refusal : std::int16_t {
   kDirection = 9,          // a direction not in [0, 360)
   kNotOrdered = 10,        // frequencies not increasing, or directions not evenly spaced all round
   kEmpty = 11,             // a spectrum without energy
-  kTime = 12,              // utime is not after the epoch
+  kTime = 12,              // a time not between 1970 and 2200
   kInconsistent = 13,      // fields that contradict each other
   kSpeedOutsideGrid = 14,  // a query for a speed that is not swept
   kNotReady = 15,          // a query while there is no advice

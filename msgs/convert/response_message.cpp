@@ -75,7 +75,7 @@ Conversion to_query(const query_t& message, Query& out) {
   if (!finite) {
     return finite;
   }
-  if (message.utime <= 0) {
+  if (!is_time(message.utime)) {
     return {Refusal::kTime, "utime"};
   }
   if (message.query_id <= 0) {

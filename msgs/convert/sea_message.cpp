@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <type_traits>
 
 #include "core/base/check.hpp"
 #include "msgs/convert/field_checks.hpp"
@@ -18,22 +19,42 @@ bool is_known(std::int8_t kind, const Kinds& kinds) {
   return kind >= 0 && static_cast<std::size_t>(kind) < kinds.size();
 }
 
+Conversion check_finite(const sea_state_t& m) {
+  return all_finite({field("lat_deg", m.lat_deg),
+                     field("lon_deg", m.lon_deg),
+                     {"hs_m", m.hs_m},
+                     {"period_s", m.period_s},
+                     {"dir_from_deg", m.dir_from_deg},
+                     {"spreading_deg", m.spreading_deg},
+                     {"peakedness", m.peakedness},
+                     {"hs_std_m", m.hs_std_m},
+                     {"period_std_s", m.period_std_s},
+                     {"dir_std_deg", m.dir_std_deg}});
+}
+
 Conversion check_sea_fields(const sea_state_t& m) {
-  const Conversion finite = all_finite({field("lat_deg", m.lat_deg),
-                                        field("lon_deg", m.lon_deg),
-                                        {"hs_m", m.hs_m},
-                                        {"period_s", m.period_s},
-                                        {"dir_from_deg", m.dir_from_deg},
-                                        {"spreading_deg", m.spreading_deg},
-                                        {"peakedness", m.peakedness},
-                                        {"hs_std_m", m.hs_std_m},
-                                        {"period_std_s", m.period_std_s},
-                                        {"dir_std_deg", m.dir_std_deg}});
-  if (!finite) {
+  using M = sea_state_t;
+  if (const Conversion finite = check_finite(m); !finite) {
     return finite;
   }
-  if (m.utime <= 0) {
+  if (!is_time(m.utime)) {
     return {Refusal::kTime, "utime"};
+  }
+  if (const Conversion known =
+          only_known_bits(m.valid, bits({M::VALID_SPREADING, M::VALID_SHAPE, M::VALID_PEAKEDNESS,
+                                         M::VALID_STD, M::VALID_UNTIL, M::VALID_POSITION}));
+      !known) {
+    return known;
+  }
+  if (has(m.valid, M::VALID_UNTIL)) {
+    if (const Conversion until = check_valid_until(m.utime, m.valid_until_utime); !until) {
+      return until;
+    }
+  }
+  if (has(m.valid, M::VALID_POSITION)) {
+    if (const Conversion position = check_position(m.lat_deg, m.lon_deg); !position) {
+      return position;
+    }
   }
   if (m.num_systems < 1 || m.num_systems > static_cast<int>(kMaxWaveSystems)) {
     return {Refusal::kCount, "num_systems"};
@@ -65,6 +86,9 @@ Conversion check_system(const sea_state_t& m, int i) {
   }
   if (has(m.valid, sea_state_t::VALID_PEAKEDNESS) && !kPeakedness.holds(m.peakedness[i])) {
     return {Refusal::kOutOfRange, "peakedness", i};
+  }
+  if (m.system_kind[i] < sea_state_t::SYSTEM_NOT_KNOWN || m.system_kind[i] > sea_state_t::SYSTEM_SWELL) {
+    return {Refusal::kUnknownKind, "system_kind", i};
   }
   if (has(m.valid, sea_state_t::VALID_STD) &&
       !(m.hs_std_m[i] >= 0.0 && m.period_std_s[i] >= 0.0 && m.dir_std_deg[i] >= 0.0)) {
@@ -113,6 +137,32 @@ Conversion to_sea_state(const sea_state_t& message, SeaState& out, std::uint32_t
   }
   out = sea;
   assumed = not_given;
+  return {};
+}
+
+Conversion check_forecast(const sea_forecast_t& message) {
+  constexpr int kMaxStates = static_cast<int>(std::extent_v<decltype(message.states)>);
+  for (const sea_state_t& state : message.states) {  // used or not: NaN is always refused
+    if (const Conversion finite = check_finite(state); !finite) {
+      return finite;
+    }
+  }
+  if (!is_time(message.utime)) {
+    return {Refusal::kTime, "utime"};
+  }
+  if (message.num_states < 1 || message.num_states > kMaxStates) {
+    return {Refusal::kCount, "num_states"};
+  }
+  SeaState sea;
+  std::uint32_t assumed = 0;
+  for (int i = 0; i < message.num_states; ++i) {
+    if (const Conversion state = to_sea_state(message.states[i], sea, assumed); !state) {
+      return {state.refusal, state.field, i};
+    }
+    if (i > 0 && message.states[i].utime <= message.states[i - 1].utime) {
+      return {Refusal::kNotOrdered, "states.utime", i};
+    }
+  }
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/sea/sea_state.hpp"
 #include "msgs/convert/refusal.hpp"
+#include "quickstrip/sea_forecast_t.hpp"
 #include "quickstrip/sea_state_t.hpp"
 #include "quickstrip/wave_spectrum_t.hpp"
 
@@ -28,6 +29,9 @@ Conversion to_sea_state(const sea_state_t& message, SeaState& out, std::uint32_t
 
 /// Directions come out increasing. On refusal `out` is not to be used.
 Conversion to_directional_spectrum(const wave_spectrum_t& message, DirectionalSpectrum& out);
+
+/// Every state as a sea state of its own, times increasing; they may lie ahead. Not used yet.
+Conversion check_forecast(const sea_forecast_t& message);
 
 /// The way back, for the simulator: fills the systems and their masks, leaves utime, seq, source to the
 /// caller. All of `sea` must be in range (our own error if not: the message would be refused).

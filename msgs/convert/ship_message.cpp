@@ -11,6 +11,9 @@ namespace {
 constexpr Range kRateOfTurn_deg_min{-720.0, 720.0};
 constexpr Range kDepth_m{0.0, 12'000.0};
 constexpr double kSecondsPerMinute = 60.0;
+constexpr std::int32_t kOwnShipBits = 255;   // VALID_HEADING ... VALID_WIND
+constexpr std::int32_t kLoadingBits = 2047;  // VALID_DRAUGHTS ... VALID_LCG
+static_assert(own_ship_t::VALID_WIND * 2 - 1 == kOwnShipBits && loading_t::VALID_LCG * 2 - 1 == kLoadingBits);
 
 struct RangeCheck {
   std::int32_t bit;
@@ -40,8 +43,11 @@ Conversion check_own_ship(const own_ship_t& m) {
   if (!finite) {
     return finite;
   }
-  if (m.utime <= 0) {
+  if (!is_time(m.utime)) {
     return {Refusal::kTime, "utime"};
+  }
+  if (const Conversion known = only_known_bits(m.valid, kOwnShipBits); !known) {
+    return known;
   }
   if (m.stabiliser < own_ship_t::STABILISER_NOT_KNOWN || m.stabiliser > own_ship_t::STABILISER_ON) {
     return {Refusal::kUnknownKind, "stabiliser"};
@@ -88,8 +94,11 @@ Conversion check_loading(const loading_t& m, const Hull& hull) {
   if (!finite) {
     return finite;
   }
-  if (m.utime <= 0) {
+  if (!is_time(m.utime)) {
     return {Refusal::kTime, "utime"};
+  }
+  if (const Conversion known = only_known_bits(m.valid, kLoadingBits); !known) {
+    return known;
   }
   if (m.source_kind < loading_t::SOURCE_NOT_KNOWN || m.source_kind > loading_t::SOURCE_MANUAL) {
     return {Refusal::kUnknownKind, "source_kind"};

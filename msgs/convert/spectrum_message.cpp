@@ -20,8 +20,14 @@ Conversion check_spectrum_header(const wave_spectrum_t& m) {
   if (!finite) {
     return finite;
   }
-  if (m.utime <= 0) {
+  if (!is_time(m.utime)) {
     return {Refusal::kTime, "utime"};
+  }
+  using M = wave_spectrum_t;
+  if (const Conversion known =
+          only_known_bits(m.valid, bits({M::VALID_UNTIL, M::VALID_POSITION, M::VALID_STD}));
+      !known) {
+    return known;
   }
   if (m.num_frequencies < 3 || m.num_frequencies > static_cast<int>(kMaxSpectrumFrequencies)) {
     return {Refusal::kCount, "num_frequencies"};
@@ -33,6 +39,18 @@ Conversion check_spectrum_header(const wave_spectrum_t& m) {
     return {Refusal::kUnknownKind, "source_kind"};
   }
   return {};
+}
+
+Conversion check_optional(const wave_spectrum_t& m) {
+  if (has(m.valid, wave_spectrum_t::VALID_STD) && !(m.hs_std_m >= 0.0)) {
+    return {Refusal::kOutOfRange, "hs_std_m"};
+  }
+  if (has(m.valid, wave_spectrum_t::VALID_UNTIL)) {
+    if (const Conversion until = check_valid_until(m.utime, m.valid_until_utime); !until) {
+      return until;
+    }
+  }
+  return has(m.valid, wave_spectrum_t::VALID_POSITION) ? check_position(m.lat_deg, m.lon_deg) : Conversion{};
 }
 
 Conversion check_axes(const wave_spectrum_t& m) {
@@ -97,7 +115,7 @@ Conversion check_height(const wave_spectrum_t& m) {
 }  // namespace
 
 Conversion to_directional_spectrum(const wave_spectrum_t& message, DirectionalSpectrum& out) {
-  for (const auto check : {check_spectrum_header, check_axes, check_density, check_height}) {
+  for (const auto check : {check_spectrum_header, check_optional, check_axes, check_density, check_height}) {
     if (const Conversion result = check(message); !result) {
       return result;
     }

@@ -18,9 +18,16 @@ inline constexpr double from_knots(double knots) {
 inline constexpr double to_knots(double metres_per_second) {
   return metres_per_second / kMetresPerSecondPerKnot;
 }
-/// Age of something measured at `utime`, at the time `now`, both microseconds since the epoch [s].
+/// Times that we take, ends excluded: after 1970 and before 2200 [microseconds since the epoch]. Within them
+/// a double holds every microsecond and no sum or difference overflows.
+inline constexpr std::int64_t kLatestUtime = 7'258'118'400'000'000;
+inline constexpr bool is_time(std::int64_t utime) {
+  return utime > 0 && utime < kLatestUtime;
+}
+/// Age of something measured at `utime`, at the time `now`, both microseconds since the epoch [s]. Any two
+/// values: the difference of doubles does not overflow.
 inline constexpr double seconds_between(std::int64_t utime, std::int64_t now) {
-  return static_cast<double>(now - utime) / kMicrosecondsPerSecond;
+  return (static_cast<double>(now) - static_cast<double>(utime)) / kMicrosecondsPerSecond;
 }
 
 }  // namespace quickstrip

@@ -13,6 +13,7 @@
 #include "msgs/convert/ranges.hpp"
 #include "msgs/convert/units.hpp"
 #include "msgs/files/hull_file_places.hpp"
+#include "msgs/files/text_file.hpp"
 #include "msgs/files/toml_table.hpp"
 
 namespace quickstrip {
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::size_t kMaxHullFileBytes = 4'000'000;  // 64 stations of 128 points take some 200 kB
 constexpr double kDefaultSteerage_kn = 3.0;
+constexpr double kNearestStations = 1.0e-6;  // [lpp] nearer ones are one station typed twice
 
 void read_particulars(const TomlTable& root, Hull& hull) {
   const TomlTable table = root.table("particulars");
@@ -82,8 +84,10 @@ void read_stations(const TomlTable& root, Hull& hull) {
   for (const TomlTable& table : tables) {
     stations.push_back(read_station(table, hull));
     for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-      if (stations[i].x == stations.back().x) {
-        table.refuse("x_m", fmt::format("an x of its own is wanted: station[{}] has the same", i + 1));
+      if (!(std::abs(stations[i].x - stations.back().x) >= kNearestStations * hull.lpp)) {
+        table.refuse("x_m", fmt::format("an x of its own is wanted: station[{}] has {} {:g}", i + 1,
+                                        stations[i].x == stations.back().x ? "the same," : "almost the same,",
+                                        stations[i].x));
       }
     }
   }

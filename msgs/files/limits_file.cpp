@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/angles.hpp"
+#include "msgs/files/text_file.hpp"
 #include "msgs/files/toml_table.hpp"
 
 namespace quickstrip {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
 #include "core/base/capacity.hpp"
+#include "msgs/files/printable.hpp"
 
 namespace quickstrip {
 
@@ -28,18 +28,21 @@ struct TomlTable::Impl {
 
 namespace {
 
-constexpr std::size_t kMaxShownValue = 60;  // of a value quoted in a refusal [characters]
+constexpr std::size_t kMaxShownItems = 8;     // of an array: a refusal is one line
+constexpr std::size_t kMaxComparedKey = 100;  // a longer key resembles none [bytes]
 
 std::string shown(const toml::node& node) {
+  if (node.is_string()) {
+    return fmt::format("\"{}\"", printable(node.ref<std::string>()));
+  }
+  if (const toml::array* array = node.as_array(); array != nullptr && array->size() > kMaxShownItems) {
+    return fmt::format("[{} items]", array->size());
+  }
   std::ostringstream stream;
   node.visit([&stream](const auto& value) { stream << value; });
-  std::string text = node.is_string() ? fmt::format("\"{}\"", node.ref<std::string>()) : stream.str();
+  std::string text = stream.str();
   std::replace(text.begin(), text.end(), '\n', ' ');
-  if (text.size() > kMaxShownValue) {
-    text.resize(kMaxShownValue);
-    text += "...";
-  }
-  return text;
+  return printable(text);
 }
 
 [[noreturn]] void refuse_node(const std::string& file, const std::string& field, const toml::node& node,
@@ -97,7 +100,7 @@ TomlTable TomlTable::parse(std::string_view text, std::string_view file) {
     return TomlTable(std::make_shared<const Impl>(Impl{std::move(document), root, std::string(file), ""}));
   } catch (const toml::parse_error& error) {
     throw FileError{
-        fmt::format("{}: line {}: {}", file, error.source().begin.line, std::string(error.description()))};
+        fmt::format("{}: line {}: {}", file, error.source().begin.line, printable(error.description(), 200))};
   }
 }
 
@@ -109,8 +112,10 @@ void TomlTable::allow_only(std::initializer_list<std::string_view> known) const 
   for (const auto& [key, node] : *impl_->table) {
     const std::string_view name = key.str();
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      refuse_node(impl_->file, impl_->field(name), node,
-                  fmt::format("unknown key; the nearest known one is {}", nearest(name, known)));
+      refuse_node(impl_->file, impl_->field(printable(name)), node,
+                  name.size() > kMaxComparedKey
+                      ? std::string("unknown key")
+                      : fmt::format("unknown key; the nearest known one is {}", nearest(name, known)));
     }
   }
 }
@@ -168,13 +173,19 @@ std::size_t TomlTable::choice(std::string_view key, std::initializer_list<std::s
       return static_cast<std::size_t>(found - choices.begin());
     }
   }
-  refuse(key, fmt::format("one of {} is wanted", quoted_list(choices)));
+  std::string what = fmt::format("one of {} is wanted", quoted_list(choices));
+  if (node != nullptr && node->is_string()) {
+    const std::string value = node->value<std::string>().value_or("");
+    if (value.size() <= kMaxComparedKey) {
+      what += fmt::format("; the nearest is \"{}\"", nearest(value, choices));
+    }
+  }
+  refuse(key, what);
 }
 
 std::string TomlTable::name(std::string_view key) const {
   std::string value = text(key);
-  const bool has_control =
-      std::any_of(value.begin(), value.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  const bool has_control = printable(value, value.size()) != value;
   if (value.empty() || value.size() > kMaxNameBytes - 1 || has_control) {
     refuse(key, fmt::format("a name of 1 to {} bytes without control characters is wanted (it has {})",
                             kMaxNameBytes - 1, value.size()));
@@ -257,24 +268,6 @@ void TomlTable::refuse_item(std::string_view key, std::size_t index, std::string
 
 void TomlTable::refuse_list(std::string_view key, std::string_view what) const {
   throw FileError{fmt::format("{}: {}: {}", impl_->file, impl_->field(key), what)};
-}
-
-std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code)) {
-    throw FileError{fmt::format("{}: no such file", path.string())};
-  }
-  const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (code || size > max_bytes) {
-    throw FileError{
-        fmt::format("{}: {} bytes: a file of at most {} bytes is wanted", path.string(), size, max_bytes)};
-  }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream || text.size() != size) {
-    throw FileError{fmt::format("{}: cannot be read", path.string())};
-  }
-  return text;
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

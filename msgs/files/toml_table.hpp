@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -41,7 +40,7 @@ class TomlTable {
   [[nodiscard]] std::string text(std::string_view key) const;
   /// A date and time with its offset (2019-08-30T00:00:00Z), 1970 ... 2100; microseconds since the epoch.
   [[nodiscard]] std::int64_t utime(std::string_view key) const;
-  /// One of `choices`; returns its index.
+  /// One of `choices`, the nearest named in the refusal; returns its index.
   [[nodiscard]] std::size_t choice(std::string_view key,
                                    std::initializer_list<std::string_view> choices) const;
   /// Not empty, at most kMaxNameBytes - 1 bytes, no control characters.
@@ -66,9 +65,6 @@ class TomlTable {
   explicit TomlTable(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;
 };
-
-/// Throws FileError. Refuses a file above max_bytes, so that a wrong path does not fill the memory.
-std::string read_text_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Number of single-character insertions, deletions and replacements that turn a into b.
 std::size_t edit_distance(std::string_view a, std::string_view b);

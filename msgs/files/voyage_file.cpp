@@ -1,6 +1,7 @@
 #include "msgs/files/voyage_file.hpp"
 
 #include "msgs/convert/units.hpp"
+#include "msgs/files/text_file.hpp"
 #include "msgs/files/toml_table.hpp"
 
 namespace quickstrip {

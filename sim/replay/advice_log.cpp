@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "msgs/convert/encode.hpp"
+#include "msgs/convert/own_messages.hpp"
 #include "msgs/files/lcm_log.hpp"
 
 namespace quickstrip {
@@ -13,6 +14,7 @@ struct Gathered {
   RecordedAdvice recorded;
   wave_spectrum_t spectrum{};
   sea_state_t sea_state{};
+  limits_t limits{};
   bool has_advice = false;
   std::uint64_t num = 0;
 };
@@ -39,15 +41,19 @@ FileStatus read_advice_log(const std::string& path, const std::string& prefix,
     if (event.channel == prefix + "ADVICE") {
       see_pending(*gathered, see);
       gathered->recorded.grid.num_speeds = 0;
-      gathered->has_advice = decode(event.data, gathered->recorded.advice);
+      gathered->has_advice =
+          decode(event.data, gathered->recorded.advice) && check_advice(gathered->recorded.advice).ok();
     } else if (event.channel == prefix + "GRID") {
-      const bool is_grid = decode(event.data, gathered->recorded.grid);
+      const bool is_grid =
+          decode(event.data, gathered->recorded.grid) && check_grid(gathered->recorded.grid).ok();
       if (!is_grid || gathered->recorded.grid.utime != gathered->recorded.advice.utime) {
         gathered->recorded.grid.num_speeds = 0;
       }
       see_pending(*gathered, see);
     } else if (event.channel == prefix + "LIMITS") {
-      static_cast<void>(decode(event.data, gathered->recorded.limits));
+      if (decode(event.data, gathered->limits) && check_limits(gathered->limits).ok()) {
+        gathered->recorded.limits = gathered->limits;
+      }
     } else if (event.channel == prefix + "WAVE_SPECTRUM" && decode(event.data, gathered->spectrum)) {
       see_pending(*gathered, see);
       gathered->recorded.sea = summary(gathered->spectrum);

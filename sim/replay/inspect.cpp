@@ -6,7 +6,9 @@
 #include <memory>
 
 #include "msgs/convert/encode.hpp"
+#include "msgs/convert/units.hpp"
 #include "msgs/files/lcm_log.hpp"
+#include "msgs/files/printable.hpp"
 #include "quickstrip/advice_t.hpp"
 #include "quickstrip/alert_t.hpp"
 #include "quickstrip/clock_t.hpp"
@@ -54,6 +56,20 @@ const std::map<std::string, Decodes, std::less<>>& types() {
   return kTypes;
 }
 
+void note_time(std::int64_t utime, ChannelFigures& channel) {
+  const bool is_first = channel.first_utime == 0;
+  if (!is_first && utime - channel.last_utime > channel.longest_gap_us) {
+    channel.longest_gap_us = utime - channel.last_utime;
+    channel.longest_gap_from = channel.last_utime;
+  }
+  channel.first_utime = is_first ? utime : channel.first_utime;
+  channel.last_utime = utime;
+}
+
+std::string utc_or_none(std::int64_t utime) {
+  return utime == 0 ? std::string("-") : format_utc(utime);
+}
+
 }  // namespace
 
 FileStatus inspect_log(const std::string& path, const std::string& prefix, LogFigures& out) {
@@ -70,14 +86,13 @@ FileStatus inspect_log(const std::string& path, const std::string& prefix, LogFi
       channel.is_ours = true;
       channel.num_malformed += type->second(event.data) ? 0u : 1u;
     }
-    if (channel.num_events > 0 && event.utime - channel.last_utime > channel.longest_gap_us) {
-      channel.longest_gap_us = event.utime - channel.last_utime;
-      channel.longest_gap_from = channel.last_utime;
-    }
-    channel.first_utime = channel.num_events == 0 ? event.utime : channel.first_utime;
-    channel.last_utime = event.utime;
     channel.num_bytes += event.data.size();
     ++channel.num_events;
+    if (is_time(event.utime)) {
+      note_time(event.utime, channel);
+    } else {
+      ++out.num_out_of_time;
+    }
   }
   out.num_events = log.num_events();
   out.num_faults = log.num_faults();
@@ -91,16 +106,19 @@ std::string inspection_text(const LogFigures& figures) {
                                 "bytes", "malformed", "first", "last", "longest gap");
   for (const auto& [name, channel] : figures.channels) {
     const std::string gap =
-        channel.num_events < 2
+        channel.longest_gap_from == 0
             ? std::string("-")
             : fmt::format("{:.1f} s from {}", static_cast<double>(channel.longest_gap_us) * 1e-6,
                           format_utc(channel.longest_gap_from));
     const std::string malformed = channel.is_ours ? fmt::format("{}", channel.num_malformed) : "unknown";
-    out += fmt::format("{:<20}{:>10}{:>12}{:>10}  {:<20}  {:<20}  {}\n", name, channel.num_events,
-                       channel.num_bytes, malformed, format_utc(channel.first_utime),
-                       format_utc(channel.last_utime), gap);
+    out += fmt::format("{:<20}{:>10}{:>12}{:>10}  {:<20}  {:<20}  {}\n", printable(name), channel.num_events,
+                       channel.num_bytes, malformed, utc_or_none(channel.first_utime),
+                       utc_or_none(channel.last_utime), gap);
   }
   out += fmt::format("{} events", figures.num_events);
+  if (figures.num_out_of_time > 0) {
+    out += fmt::format("; {} with a time not between 1970 and 2200", figures.num_out_of_time);
+  }
   if (figures.num_faults > 0) {
     out += fmt::format("; {} damaged places, {} bytes passed over; the first: {}", figures.num_faults,
                        figures.bytes_passed_over, figures.first_fault);

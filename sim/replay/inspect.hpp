@@ -25,6 +25,7 @@ struct LogFigures {
   std::uint64_t num_events = 0;
   std::uint64_t num_faults = 0;
   std::uint64_t bytes_passed_over = 0;
+  std::uint64_t num_out_of_time = 0;  // not between 1970 and 2200; they count in no first, last or gap
   std::string first_fault;
 };
 

@@ -37,6 +37,12 @@ Fed LogFeed::take(const LogEvent& event, std::int64_t now, Input input, Message&
   return session.accept(message, now).ok() ? Fed::kTaken : Fed::kRefused;
 }
 
+template <typename Message>
+Fed LogFeed::take_unused(const LogEvent& event, std::int64_t now, Input input, Message& message,
+                         Session& session) {
+  return take(event, now, input, message, session) == Fed::kRefused ? Fed::kRefused : Fed::kOther;
+}
+
 Fed LogFeed::feed(const LogEvent& event, std::int64_t now, Session& session) {
   const std::string_view name = name_without_prefix(event.channel, prefix_);
   if (name.empty()) {
@@ -59,6 +65,12 @@ Fed LogFeed::feed(const LogEvent& event, std::int64_t now, Session& session) {
   }
   if (name == "ALERT_ACK") {
     return take(event, now, Input::kAlertAck, acknowledgement_, session);
+  }
+  if (name == "MOTION") {
+    return take_unused(event, now, Input::kMotion, motion_, session);
+  }
+  if (name == "SEA_FORECAST") {
+    return take_unused(event, now, Input::kSeaForecast, forecast_, session);
   }
   return Fed::kOther;
 }

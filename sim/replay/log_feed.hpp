@@ -32,6 +32,10 @@ class LogFeed {
   template <typename Message>
   Fed take(const LogEvent& event, std::int64_t now, Input input, Message& message, Session& session);
 
+  /// No cycle of its own: nothing depends on it.
+  template <typename Message>
+  Fed take_unused(const LogEvent& event, std::int64_t now, Input input, Message& message, Session& session);
+
   std::string prefix_;
   sea_state_t sea_state_{};
   wave_spectrum_t wave_spectrum_{};
@@ -39,6 +43,8 @@ class LogFeed {
   loading_t loading_{};
   query_t query_{};
   alert_t acknowledgement_{};
+  motion_t motion_{};
+  sea_forecast_t forecast_{};
 };
 
 }  // namespace quickstrip

@@ -13,6 +13,7 @@
 #include "msgs/convert/encode.hpp"
 #include "quickstrip/clock_t.hpp"
 #include "quickstrip/response_t.hpp"
+#include "sim/replay/event_stream.hpp"
 #include "sim/replay/log_feed.hpp"
 
 namespace quickstrip {
@@ -147,8 +148,9 @@ FileStatus publish_log(LcmLogReader& log, const PublishOptions& options, LcmLogW
   const Clock::time_point start = Clock::now();
   std::int64_t first = 0;
   std::map<std::string, std::vector<std::uint8_t>> newest;  // of each input channel since the last cycle
+  EventStream events(log);
   LogEvent event;
-  bool has_event = log.next(event);
+  bool has_event = events.next(event);
   while (has_event && far->failure.ok()) {
     const std::int64_t now = event.utime;
     first = first == 0 ? now : first;
@@ -156,7 +158,7 @@ FileStatus publish_log(LcmLogReader& log, const PublishOptions& options, LcmLogW
       const std::chrono::duration<double> offset(static_cast<double>(now - first) * 1e-6 / options.speed);
       far->listen_until(start + std::chrono::duration_cast<Clock::duration>(offset));
     }
-    for (; has_event && event.utime <= now; has_event = log.next(event)) {
+    for (; has_event && event.utime <= now; has_event = events.next(event)) {
       const std::string_view name = name_without_prefix(event.channel, options.prefix);
       if (!is_input(name) || name == "TIME") {
         continue;

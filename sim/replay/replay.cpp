@@ -1,17 +1,23 @@
 #include "sim/replay/replay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
 #include <thread>
 
+#include "msgs/files/printable.hpp"
 #include "sim/replay/cycle_times.hpp"
+#include "sim/replay/event_stream.hpp"
 #include "sim/replay/log_feed.hpp"
 
 namespace quickstrip {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+// After two days without an event every input is stale by its default, and more cycles would say it again.
+constexpr std::int64_t kLongestGap_us = 2 * 86'400'000'000;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -85,19 +91,28 @@ FileStatus replay_log(LcmLogReader& log, Session& session, const ReplayOptions& 
     figures.num_without_advice += session.advice().no_advice != 0 ? 1u : 0u;
     after_cycle(now);
   };
+  EventStream events(log);
   LogEvent event;
-  bool has_event = log.next(event);
+  bool has_event = events.next(event);
+  std::int64_t before = event.utime;  // of the event before
   while (has_event && outbox.failure.ok()) {
     const std::int64_t now = event.utime;
-    while (const std::int64_t due = times.due_before(now)) {
+    const bool is_gap = now - before > kLongestGap_us;
+    figures.num_gaps += is_gap ? 1u : 0u;
+    const std::int64_t cycles_until = is_gap ? before + kLongestGap_us : now;
+    while (const std::int64_t due = times.due_before(cycles_until)) {
       run_cycle(due);
     }
+    before = now;
     bool has_input = false;
-    for (; has_event && event.utime <= now; has_event = log.next(event)) {  // all events of one time
+    for (; has_event && event.utime <= now; has_event = events.next(event)) {  // all events of one time
       ++figures.num_events;
       const Fed fed = feed->feed(event, now, session);
       figures.num_refused += fed == Fed::kRefused ? 1u : 0u;
-      figures.num_unknown += fed == Fed::kUnknown ? 1u : 0u;
+      if (fed == Fed::kUnknown) {
+        ++figures.num_unknown;
+        ++figures.unknown_channels[event.channel];
+      }
       has_input = has_input || fed == Fed::kTaken;
       const bool is_kept = is_input(name_without_prefix(event.channel, options.prefix));
       if (log_out != nullptr && is_kept) {
@@ -111,7 +126,45 @@ FileStatus replay_log(LcmLogReader& log, Session& session, const ReplayOptions& 
     }
   }
   figures.num_faults = log.num_faults();
+  figures.first_fault = log.faults().empty() ? std::string() : log.faults().front().line;
+  figures.num_out_of_time = events.num_out_of_time();
+  figures.num_out_of_order = events.num_out_of_order();
   return outbox.failure;
+}
+
+std::string remarks(const ReplayFigures& figures) {
+  constexpr int kMaxNamed = 5;
+  std::string text;
+  if (figures.num_unknown > 0) {
+    text += fmt::format("passed over, {} events on {} channels not ours:", figures.num_unknown,
+                        figures.unknown_channels.size());
+    int named = 0;
+    for (const auto& [name, count] : figures.unknown_channels) {
+      if (++named > kMaxNamed) {
+        text += " ...";
+        break;
+      }
+      text += fmt::format(" {} ({})", printable(name), count);
+    }
+    text += "\n";
+  }
+  if (figures.num_faults > 0) {
+    text += fmt::format("passed over, {} damaged places; the first: {}\n", figures.num_faults,
+                        figures.first_fault);
+  }
+  if (figures.num_out_of_time > 0) {
+    text += fmt::format("passed over, {} events whose time is none or leaps ahead of what follows\n",
+                        figures.num_out_of_time);
+  }
+  if (figures.num_out_of_order > 0) {
+    text += fmt::format("{} events lie before the one before them: taken at that one's time\n",
+                        figures.num_out_of_order);
+  }
+  if (figures.num_gaps > 0) {
+    text +=
+        fmt::format("{} gaps of more than two days: no cycles beyond two days of each\n", figures.num_gaps);
+  }
+  return text;
 }
 
 }  // namespace quickstrip

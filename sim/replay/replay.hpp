@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "firmware/session/session.hpp"
@@ -24,8 +25,13 @@ struct ReplayFigures {
   std::uint64_t num_without_advice = 0;
   std::uint64_t num_refused = 0;
   std::uint64_t num_unknown = 0;
-  std::uint64_t num_faults = 0;  // damaged places of the log
-  double computing_s = 0.0;      // in cycles
+  std::uint64_t num_faults = 0;        // damaged places of the log
+  std::string first_fault;             // "FILE: offset ...", empty without one
+  std::uint64_t num_out_of_time = 0;   // EventStream
+  std::uint64_t num_out_of_order = 0;  // EventStream
+  std::uint64_t num_gaps = 0;          // of more than two days: the cycles after those are left out
+  std::map<std::string, std::uint64_t> unknown_channels;
+  double computing_s = 0.0;  // in cycles
   double slowest_cycle_s = 0.0;
 };
 
@@ -34,5 +40,8 @@ struct ReplayFigures {
 FileStatus replay_log(LcmLogReader& log, Session& session, const ReplayOptions& options,
                       LcmLogWriter* log_out, const std::function<void(std::int64_t now)>& after_cycle,
                       ReplayFigures& figures);
+
+/// What was passed over or is doubtful in the log, a line each; empty when all is well.
+std::string remarks(const ReplayFigures& figures);
 
 }  // namespace quickstrip

@@ -1,5 +1,7 @@
 #include "sim/replay/voyage_log.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <memory>
 
@@ -7,12 +9,14 @@
 #include "msgs/convert/encode.hpp"
 #include "msgs/convert/sea_message.hpp"
 #include "msgs/convert/units.hpp"
+#include "msgs/files/printable.hpp"
 #include "quickstrip/own_ship_t.hpp"
 
 namespace quickstrip {
 namespace {
 
 constexpr std::int16_t kSimulatorId = 100;
+constexpr std::int64_t kMaxOwnShipMessages = 20'000'000;  // 4 GB; a wrong year does not fill the disk
 
 own_ship_t own_ship_message(const VoyageLeg& leg, std::int64_t utime, std::int32_t seq) {
   own_ship_t message{};
@@ -50,6 +54,12 @@ FileStatus write_voyage_log(const SeaSeries& sea, const Voyage& voyage, const Vo
   const auto period = static_cast<std::int64_t>(options.own_ship_period_s * 1e6);
   std::size_t next_sea = 0;
   const std::int64_t start = voyage.legs.front().from_utime;
+  if ((voyage.end_utime - start) / period > kMaxOwnShipMessages) {
+    return FileError{fmt::format(
+        "{}: {:.0f} days with own ship every {:g} s: at most {} messages, or {:.0f} days, are wanted",
+        printable(voyage.name), seconds_between(start, voyage.end_utime) / 86400.0, options.own_ship_period_s,
+        kMaxOwnShipMessages, static_cast<double>(kMaxOwnShipMessages) * options.own_ship_period_s / 86400.0)};
+  }
   while (next_sea < sea.records.size() && sea.records[next_sea].utime_us < start) {
     ++next_sea;
   }

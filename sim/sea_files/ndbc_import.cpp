@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "core/base/capacity.hpp"
+#include "msgs/convert/ranges.hpp"
+#include "msgs/files/printable.hpp"
 #include "sim/sea_files/number_list.hpp"
 #include "sim/sea_files/utc_time.hpp"
 
@@ -23,6 +25,7 @@ namespace quickstrip {
 namespace {
 
 constexpr double kMissing = 999.0;
+constexpr std::uintmax_t kMaxNdbcFileBytes = 100'000'000;
 constexpr double kIsotropicShare = 0.02;  // of the energy
 constexpr std::string_view kLetters = "wdijk";
 constexpr std::size_t kNumTimeFields = 5;
@@ -32,17 +35,17 @@ struct NdbcFile {
   std::map<std::int64_t, std::vector<double>> hours;
 };
 
-struct Range {
+struct ValueRange {
   std::string_view what;
   double low;
   double high;
 };
 
-constexpr std::array<Range, 5> kRanges = {{{"density_m2_hz", 0.0, 998.9},
-                                           {"alpha1_deg", 0.0, 360.0},
-                                           {"alpha2_deg", 0.0, 360.0},
-                                           {"r1_percent", 0.0, 100.0},
-                                           {"r2_percent", 0.0, 100.0}}};
+constexpr std::array<ValueRange, 5> kRanges = {{{"density_m2_hz", 0.0, 998.9},
+                                                {"alpha1_deg", 0.0, 360.0},
+                                                {"alpha2_deg", 0.0, 360.0},
+                                                {"r1_percent", 0.0, 100.0},
+                                                {"r2_percent", 0.0, 100.0}}};
 
 FileStatus find_file(const std::string& prefix, char letter, std::filesystem::path& out) {
   const std::filesystem::path whole(prefix);
@@ -75,9 +78,10 @@ FileStatus read_header(const std::string& where, const std::vector<std::string_v
   for (std::size_t i = kNumTimeFields; i < words.size(); ++i) {
     const std::optional<double> value = parse_number(words[i]);
     const double last = out.frequencies_hz.empty() ? 0.0 : out.frequencies_hz.back();
-    if (!value || !(*value > last && *value < 10.0)) {
-      return FileError{fmt::format("{}: band = {}: a frequency in Hz above {} and below 10 is needed", where,
-                                   words[i], last)};
+    if (!value || !(*value > last && kWaveFrequency_hz.holds(*value))) {
+      return FileError{
+          fmt::format("{}: band = {}: a frequency from {} to {} Hz, above the one before, {}, is needed",
+                      where, printable(words[i]), kWaveFrequency_hz.from, kWaveFrequency_hz.to, last)};
     }
     out.frequencies_hz.push_back(*value);
   }
@@ -96,8 +100,8 @@ std::optional<std::int64_t> time_of(const std::vector<std::string_view>& words) 
   return utime_of(field[0], field[1], field[2], field[3], field[4], 0);
 }
 
-FileStatus read_hour(const std::string& where, const std::vector<std::string_view>& words, const Range& range,
-                     NdbcFile& out) {
+FileStatus read_hour(const std::string& where, const std::vector<std::string_view>& words,
+                     const ValueRange& range, NdbcFile& out) {
   const std::size_t expected = kNumTimeFields + out.frequencies_hz.size();
   if (words.size() != expected) {
     return FileError{
@@ -106,14 +110,15 @@ FileStatus read_hour(const std::string& where, const std::vector<std::string_vie
   const std::optional<std::int64_t> time = time_of(words);
   if (!time) {
     return FileError{fmt::format("{}: time = {} {} {} {} {}: year, month, day, hour, minute are needed",
-                                 where, words[0], words[1], words[2], words[3], words[4])};
+                                 where, printable(words[0]), printable(words[1]), printable(words[2]),
+                                 printable(words[3]), printable(words[4]))};
   }
   std::vector<double> values;
   for (std::size_t i = kNumTimeFields; i < words.size(); ++i) {
     const std::optional<double> value = parse_number(words[i]);
     if (!value || !((*value >= range.low && *value <= range.high) || *value == kMissing)) {
       return FileError{fmt::format("{}: {} = {}: a number from {} to {}, or 999 for missing, is needed",
-                                   where, range.what, words[i], range.low, range.high)};
+                                   where, range.what, printable(words[i]), range.low, range.high)};
     }
     values.push_back(*value);
   }
@@ -123,7 +128,12 @@ FileStatus read_hour(const std::string& where, const std::vector<std::string_vie
   return {};
 }
 
-FileStatus read_file(const std::filesystem::path& path, const Range& range, NdbcFile& out) {
+FileStatus read_file(const std::filesystem::path& path, const ValueRange& range, NdbcFile& out) {
+  std::error_code failed;
+  if (const auto size = std::filesystem::file_size(path, failed); !failed && size > kMaxNdbcFileBytes) {
+    return FileError{fmt::format("{}: {} bytes: at most {} are needed, ten years of a buoy", path.string(),
+                                 size, kMaxNdbcFileBytes)};
+  }
   std::ifstream in(path);
   if (!in) {
     return FileError{fmt::format("{}: file = unreadable: a readable NDBC file is needed", path.string())};
@@ -204,6 +214,11 @@ FileStatus import_ndbc(const std::string& prefix, BuoyRecord& out, NdbcNotes& no
   NdbcNotes noted;
   for (const std::int64_t time : times) {
     if (std::optional<BuoyHour> hour = assemble(time, files, noted)) {
+      const double hs = significant_wave_height_m(record.frequencies_hz, hour->density_m2_hz);
+      if (!(hs <= kMaxWaveHeight_m)) {  // the advisor would refuse the message made of it
+        return FileError{fmt::format("{}: density_m2_hz = Hs {:.3g} m at {}: at most {} m in all is needed",
+                                     prefix, hs, format_utc(time), kMaxWaveHeight_m)};
+      }
       record.hours.push_back(std::move(*hour));
     } else {
       ++noted.num_gaps;

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
 #include "core/base/capacity.hpp"
+#include "msgs/convert/ranges.hpp"
+#include "msgs/files/printable.hpp"
+#include "msgs/files/text_file.hpp"
 #include "sim/sea_files/number_list.hpp"
 #include "sim/sea_files/utc_time.hpp"
 
@@ -16,6 +18,10 @@ namespace quickstrip {
 namespace {
 
 constexpr std::string_view kTitle = "quickstrip-sea 1";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin UTF-8 with it
+// A year of hourly spectra; each is 37 kB as a directional spectrum in memory.
+constexpr std::size_t kMaxHours = 10'000;
+constexpr std::size_t kMaxSeaFileBytes = 40'000'000;  // 10,000 hours of 64 bands take some 25 MB
 
 struct Row {
   std::string_view name;
@@ -41,7 +47,7 @@ class Parser {
   bool next_line();
   [[nodiscard]] FileError refusal(std::string_view field, std::string_view value,
                                   std::string_view right) const {
-    return {fmt::format("{}:{}: {} = {}: {}", file_, number_, field, value, right)};
+    return {fmt::format("{}:{}: {} = {}: {}", file_, number_, field, printable(value), right)};
   }
   FileStatus parse_frequencies(BuoyRecord& record);
   FileStatus parse_hour(BuoyRecord& record);
@@ -81,9 +87,10 @@ FileStatus Parser::parse_frequencies(BuoyRecord& record) {
   double last = 0.0;
   for (std::size_t i = 1; i < words_.size(); ++i) {
     const auto value = parse_number(words_[i]);
-    if (!value || !(*value > last && *value < 10.0)) {
+    if (!value || !(*value > last && kWaveFrequency_hz.holds(*value))) {
       return refusal("frequencies_hz", words_[i],
-                     fmt::format("a number above {} and below 10 is needed", last));
+                     fmt::format("a number from {} to {}, above the one before, {}, is needed",
+                                 kWaveFrequency_hz.from, kWaveFrequency_hz.to, last));
     }
     last = *value;
     record.frequencies_hz.push_back(last);
@@ -125,7 +132,12 @@ FileStatus Parser::parse_hour(BuoyRecord& record) {
       return parsed;
     }
   }
-  if (!(significant_wave_height_m(record.frequencies_hz, hour.density_m2_hz) > 0.0)) {
+  const double hs = significant_wave_height_m(record.frequencies_hz, hour.density_m2_hz);
+  if (!(hs <= kMaxWaveHeight_m)) {  // the advisor would refuse the message made of it
+    return refusal("density_m2_hz", fmt::format("Hs {:.3g} m at {}", hs, format_utc(*time)),
+                   fmt::format("at most {} m in all is needed", kMaxWaveHeight_m));
+  }
+  if (!(hs > 0.0)) {
     return refusal("hour", format_utc(*time), "some energy is needed; leave an hour without a spectrum out");
   }
   record.hours.push_back(std::move(hour));
@@ -134,6 +146,9 @@ FileStatus Parser::parse_hour(BuoyRecord& record) {
 
 FileStatus Parser::parse(BuoyRecord& out) {
   BuoyRecord record;
+  if (rest_.starts_with(kByteOrderMark)) {
+    rest_.remove_prefix(kByteOrderMark.size());
+  }
   if (!next_line() || words_.size() != 2 || words_[0] != "quickstrip-sea" || words_[1] != "1") {
     return refusal("title", line_, fmt::format("\"{}\" is needed in the first line", kTitle));
   }
@@ -147,6 +162,10 @@ FileStatus Parser::parse(BuoyRecord& out) {
     return parsed;
   }
   while (next_line()) {
+    if (record.hours.size() == kMaxHours) {
+      return refusal("hours", fmt::format("more than {}", kMaxHours),
+                     "fewer are needed: cut the file with make_sea_file");
+    }
     if (const FileStatus parsed = parse_hour(record); !parsed) {
       return parsed;
     }
@@ -173,12 +192,11 @@ FileStatus parse_sea_file(std::string_view text, std::string_view file, BuoyReco
 }
 
 FileStatus read_sea_file(const std::filesystem::path& path, BuoyRecord& out) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) {
-    return FileError{fmt::format("{}: file = unreadable: a readable sea file is needed", path.string())};
+  try {
+    return parse_sea_file(read_text_file(path, kMaxSeaFileBytes), path.string(), out);
+  } catch (const FileError& error) {
+    return error;
   }
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  return parse_sea_file(text, path.string(), out);
 }
 
 std::string sea_file_text(const BuoyRecord& record) {

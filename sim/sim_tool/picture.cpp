@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "msgs/convert/units.hpp"
 #include "sim/picture/gnuplot.hpp"
 #include "sim/picture/polar_picture.hpp"
 #include "sim/replay/advice_log.hpp"
@@ -29,7 +30,7 @@ void run(const Options& options) {
   const auto best = std::make_unique<RecordedAdvice>();
   double best_score = -std::numeric_limits<double>::infinity();
   require(read_advice_log(options.log, options.prefix, [&](const RecordedAdvice& recorded) {
-    const double score = at ? -std::abs(static_cast<double>(recorded.advice.utime - *at)) : badness(recorded);
+    const double score = at ? -std::abs(seconds_between(recorded.advice.utime, *at)) : badness(recorded);
     if (score > best_score) {
       best_score = score;
       *best = recorded;

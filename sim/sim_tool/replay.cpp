@@ -138,11 +138,13 @@ void run(Options options) {
     require(out.finish());
   }
   table.finish();
-  fmt::print(stderr,
-             "{} events, {} cycles ({} without advice), {} refused, {} not ours, {} damaged places; {:.1f} s "
-             "computing, slowest cycle {:.3f} s\n",
-             figures.num_events, figures.num_cycles, figures.num_without_advice, figures.num_refused,
-             figures.num_unknown, figures.num_faults, figures.computing_s, figures.slowest_cycle_s);
+  fmt::print(
+      stderr,
+      "{}{} events, {} cycles ({} without advice), {} refused, {} not ours, {} damaged places; {:.1f} s "
+      "computing, slowest cycle {:.3f} s\n",
+      remarks(figures), figures.num_events, figures.num_cycles, figures.num_without_advice,
+      figures.num_refused, figures.num_unknown, figures.num_faults, figures.computing_s,
+      figures.slowest_cycle_s);
 }
 
 }  // namespace

@@ -59,9 +59,9 @@ void run(const Options& options) {
     if (!span_end) {
       span_end = recorded.advice.utime + span;
     }
-    while (recorded.advice.utime >= *span_end) {
+    if (recorded.advice.utime >= *span_end) {
       flush();
-      *span_end += span;
+      *span_end += ((recorded.advice.utime - *span_end) / span + 1) * span;
     }
     ++num;
     num_without += recorded.advice.no_advice != 0 ? 1 : 0;

@@ -119,6 +119,7 @@ TEST_F(AlertsTest, WhileThereIsNoAdviceTheLimitsAlertDoesNotEnd) {
 
 TEST_F(AlertsTest, AnUnknownAlertIsRefused) {
   alert_t unknown{};
+  unknown.utime = kStart;
   unknown.alert_id = 9;
   unknown.instance = 1;
   EXPECT_EQ(alerts_.accept(unknown, kStart).refusal, Refusal::kUnknownKind);
