@@ -1,5 +1,5 @@
-// The advisor: configure once, then one step a cycle. Owns all of its memory (16 MB: make it static, never on
-// the stack); allocates nothing, knows no clock, reads no file.
+// The advisor: configure once, then one step a cycle. Owns all of its memory (6.7 MB: make it static, never
+// on the stack); allocates nothing, knows no clock, reads no file.
 //
 //   static Advisor advisor;
 //   advisor.configure(hull, criteria, method);        // builds the loaded hull's transfer functions
@@ -8,10 +8,9 @@
 //     publish(output);
 //     if (advisor.is_rebuild_due()) advisor.rebuild(); // a new loading: the step said kLoadingChanged
 //
-// Cost on one x86-64 core, S-175, default criteria, 25 speeds x 72 headings (processor time): step 82 ms in a
-// sea with energy from every direction, 17 ms in a long-crested one; configure and rebuild 120 ms. Deepest
-// stack frame here 8 kB. All loops are bounded by capacity.hpp. Not thread-safe: one thread steps and
-// rebuilds.
+// Cost on one x86-64 core, S-175, default criteria, 25 speeds x 72 headings (processor time): tests/bench
+// prints it. It depends on the sea through the number of its bands and systems only. Deepest stack frame here
+// 8 kB. All loops are bounded by capacity.hpp. Not thread-safe: one thread steps and rebuilds.
 #pragma once
 
 #include <array>
@@ -89,6 +88,6 @@ class Advisor {
   StepOutput output_;
 };
 
-static_assert(sizeof(Advisor) < 16u << 20u, "the advisor's memory is a promise");
+static_assert(sizeof(Advisor) <= 8u << 20u, "the advisor's memory is a promise");
 
 }  // namespace quickstrip

@@ -31,12 +31,6 @@ QuantityResponse quantity_response(const Channel& channel, const ResponseMoments
   return out;
 }
 
-std::uint8_t largest_system(const ResponseMoments& moments) {
-  const auto& parts = moments.m0_by_system;
-  const auto* const largest = std::max_element(parts.begin(), parts.end());
-  return *largest > 0.0 ? static_cast<std::uint8_t>(largest - parts.begin()) : kNoSystem;
-}
-
 }  // namespace
 
 Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out) {
@@ -49,8 +43,13 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   out.heading = heading;
   out.speed = speed;
   out.num_systems = inputs.sea.num_systems;
+  double share = 0.0;
+  if (inputs.suppresses_low_encounter) {
+    const Result<double> low = low_encounter_wave_share(inputs.transfer, inputs.sea, heading, speed);
+    share = low ? *low : 1.0;
+  }
   out.cell =
-      judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, heading, speed));
+      judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, speed, share));
   if (out.cell.governing != kNoCriterion) {
     out.cell.governing_system = largest_system(moments[inputs.channels.of_criterion[out.cell.governing]]);
   }

@@ -179,6 +179,12 @@ double height_margin(const Criterion& criterion, const Channel& channel, const R
   return value <= criterion.limit / kUnbounded ? kUnbounded : criterion.limit / value;
 }
 
+std::uint8_t largest_system(const ResponseMoments& moments) {
+  const auto& parts = moments.m0_by_system;
+  const auto* const largest = std::max_element(parts.begin(), parts.end());
+  return *largest > 0.0 ? static_cast<std::uint8_t>(largest - parts.begin()) : kNoSystem;
+}
+
 Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Watch& watch,
            std::span<const ResponseMoments> moments, const CellCircumstances& circumstances) {
   QS_CHECK(moments.size() == watch.channels.size());

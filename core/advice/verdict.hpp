@@ -48,6 +48,9 @@ double criterion_value(const Criterion& criterion, const Channel& channel, const
 /// In [0, kMarginUnbounded]; 1 at the limit.
 double height_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments);
 
+/// The wave system of the largest variance; kNoSystem when there is none.
+std::uint8_t largest_system(const ResponseMoments& moments);
+
 /// What is known of a cell besides its moments.
 struct CellCircumstances {
   std::uint32_t quality = 0;

@@ -1,51 +1,106 @@
-// Every capacity of the core, with its reason. Changing one changes the memory of everything that holds it.
+// Every capacity of the core, with its reason, for two machines: a bridge computer and a Cortex-M7. Changing
+// one changes the memory of everything that holds it; the build prints what (firmware/memory).
+//
+// The profile belongs to the build: QUICKSTRIP_CAPACITY_M7 defined for every file of a program, or for none.
 #pragma once
 
 #include <cstddef>
 
 namespace quickstrip {
 
-// The hull (contract: at least 64 stations of 128 points).
-inline constexpr std::size_t kMaxStations = 64;
-inline constexpr std::size_t kMaxOffsets = 128;
+namespace capacity {
 
-// What is watched on board (contract).
-inline constexpr std::size_t kMaxPoints = 16;
-inline constexpr std::size_t kMaxSlammingStations = 8;
-inline constexpr std::size_t kMaxFreeboardPoints = 8;
+/// A bridge computer: what the contract asks for, within 8 MiB.
+struct Host {
+  // The hull (contract: at least 64 stations of 128 points).
+  static constexpr std::size_t kMaxStations = 64;
+  static constexpr std::size_t kMaxOffsets = 128;
+  // What is watched on board (contract).
+  static constexpr std::size_t kMaxPoints = 16;
+  static constexpr std::size_t kMaxSlammingStations = 8;
+  static constexpr std::size_t kMaxFreeboardPoints = 8;
+  // The grid that is swept each cycle (contract: 25 speeds x 72 headings).
+  static constexpr std::size_t kMaxSpeeds = 25;
+  // Directions of the wave energy and of the transfer functions, and headings: 5 degrees all round.
+  static constexpr std::size_t kNumDirections = 72;
+  // Wave frequencies of the transfer functions: resolves a JONSWAP peak of Tp 4 ... 25 s within 2 % of m0.
+  static constexpr std::size_t kMaxFrequencies = 48;
+  // The roll peak between the wave frequencies: intervals of one speed and direction that are looked into,
+  // and points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
+  static constexpr std::size_t kMaxPeakIntervals = 12;
+  static constexpr std::size_t kMaxPeakPoints = 36;
+  // Encounter frequencies of the loaded hull's coefficient table: three decades, 7.5 % apart, which keeps the
+  // parabola between them within 3e-3 of the section table (tests/strip).
+  static constexpr std::size_t kNumEncounterNodes = 96;
+  // The sea on the wire (contract: up to 6 systems; 64 frequencies x 72 directions).
+  static constexpr std::size_t kMaxWaveSystems = 6;
+  static constexpr std::size_t kMaxSpectrumFrequencies = 64;
+  static constexpr std::size_t kMaxSpectrumDirections = 72;
+  // Criteria of a profile: seven kinds, the local ones at several places.
+  static constexpr std::size_t kMaxCriteria = 32;
+};
 
+/// A Cortex-M7 with 512 KiB of RAM: a grid of 36 headings x 8 speeds, a hull of a few stations, a spectrum of
+/// a buoy's few bands. Coarser by half in direction and in frequency.
+struct M7 {
+  static constexpr std::size_t kMaxStations = 24;
+  static constexpr std::size_t kMaxOffsets = 24;
+  static constexpr std::size_t kMaxPoints = 4;
+  static constexpr std::size_t kMaxSlammingStations = 2;
+  static constexpr std::size_t kMaxFreeboardPoints = 2;
+  static constexpr std::size_t kMaxSpeeds = 8;
+  static constexpr std::size_t kNumDirections = 36;
+  static constexpr std::size_t kMaxFrequencies = 24;
+  static constexpr std::size_t kMaxPeakIntervals = 6;
+  static constexpr std::size_t kMaxPeakPoints = 18;
+  static constexpr std::size_t kNumEncounterNodes = 48;
+  static constexpr std::size_t kMaxWaveSystems = 3;
+  static constexpr std::size_t kMaxSpectrumFrequencies = 24;
+  static constexpr std::size_t kMaxSpectrumDirections = 36;
+  static constexpr std::size_t kMaxCriteria = 12;
+};
+
+#if defined(QUICKSTRIP_CAPACITY_M7)
+using Profile = M7;
+inline constexpr const char* kProfileName = "m7";
+#else
+using Profile = Host;
+inline constexpr const char* kProfileName = "host";
+#endif
+
+}  // namespace capacity
+
+inline constexpr std::size_t kMaxStations = capacity::Profile::kMaxStations;
+inline constexpr std::size_t kMaxOffsets = capacity::Profile::kMaxOffsets;
+
+inline constexpr std::size_t kMaxPoints = capacity::Profile::kMaxPoints;
+inline constexpr std::size_t kMaxSlammingStations = capacity::Profile::kMaxSlammingStations;
+inline constexpr std::size_t kMaxFreeboardPoints = capacity::Profile::kMaxFreeboardPoints;
 // Response channels: six motions, three accelerations at each point, relative motion at each station and
 // point.
 inline constexpr std::size_t kMaxChannels = 6 + 3 * kMaxPoints + kMaxSlammingStations + kMaxFreeboardPoints;
 
-// The grid that is swept each cycle (contract: 25 speeds x 72 headings).
-inline constexpr std::size_t kMaxSpeeds = 25;
-inline constexpr std::size_t kMaxHeadings = 72;
-
-// Directions of the wave energy and of the transfer functions: 5 degrees all round.
-inline constexpr std::size_t kNumDirections = 72;
+inline constexpr std::size_t kMaxSpeeds = capacity::Profile::kMaxSpeeds;
+inline constexpr std::size_t kNumDirections = capacity::Profile::kNumDirections;
+inline constexpr std::size_t kMaxHeadings = kNumDirections;
 // Solved directions: 0 ... 180 degrees; the port side is the mirror image.
 inline constexpr std::size_t kNumSolvedDirections = kNumDirections / 2 + 1;
 
-// Wave frequencies of the transfer functions: resolves a JONSWAP peak of Tp 4 ... 25 s within 2 % of m0.
-inline constexpr std::size_t kMaxFrequencies = 48;
-// The roll peak between the wave frequencies: intervals of one speed and direction that are looked into, and
-// points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
-inline constexpr std::size_t kMaxPeakIntervals = 12;
-inline constexpr std::size_t kMaxPeakPoints = 36;
+inline constexpr std::size_t kMaxFrequencies = capacity::Profile::kMaxFrequencies;
+inline constexpr std::size_t kMaxPeakIntervals = capacity::Profile::kMaxPeakIntervals;
+inline constexpr std::size_t kMaxPeakPoints = capacity::Profile::kMaxPeakPoints;
 // Legendre terms of the wave energy density within an interval of wave frequencies: a cubic.
 inline constexpr std::size_t kDensityTerms = 4;
-// Encounter frequencies of the loaded hull's coefficient table: three decades, 7.5 % apart, which keeps the
-// parabola between them within 3e-3 of the section table (tests/strip).
-inline constexpr std::size_t kNumEncounterNodes = 96;
+inline constexpr std::size_t kNumEncounterNodes = capacity::Profile::kNumEncounterNodes;
 
-// The sea on the wire (contract: up to 6 systems; 64 frequencies x 72 directions).
-inline constexpr std::size_t kMaxWaveSystems = 6;
-inline constexpr std::size_t kMaxSpectrumFrequencies = 64;
-inline constexpr std::size_t kMaxSpectrumDirections = 72;
+inline constexpr std::size_t kMaxWaveSystems = capacity::Profile::kMaxWaveSystems;
+inline constexpr std::size_t kMaxSpectrumFrequencies = capacity::Profile::kMaxSpectrumFrequencies;
+inline constexpr std::size_t kMaxSpectrumDirections = capacity::Profile::kMaxSpectrumDirections;
+// Bands of wave energy on the grid: a measured spectrum's frequencies, and one at either end for what lies
+// outside the transfer functions' frequencies.
+inline constexpr std::size_t kMaxEnergyBands = kMaxSpectrumFrequencies + 2;
 
-// Criteria of a profile: seven kinds, the local ones at several places.
-inline constexpr std::size_t kMaxCriteria = 32;
+inline constexpr std::size_t kMaxCriteria = capacity::Profile::kMaxCriteria;
 // Changes of course or speed that are ranked and sent.
 inline constexpr std::size_t kMaxChanges = 8;
 

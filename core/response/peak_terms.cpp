@@ -22,38 +22,68 @@ bool feels_roll(const Channel& channel) {
   }
 }
 
-PeakTerms peak_terms(const RollPeak& peak, std::span<const double> omega, std::span<const double> at_nodes,
-                     std::span<const double> at_points) {
-  QS_CHECK(at_nodes.size() == omega.size() && at_points.size() == peak.num_points);
-  PeakTerms out{};
+void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,
+                     const PointValues& at_points, PeakTerms& out) {
   for (std::size_t i = 0; i < peak.intervals.size(); ++i) {
     const PeakInterval& interval = peak.intervals[i];
     const double from = omega[interval.node];
-    const double width = omega[interval.node + 1u] - from;
+    const double by_width = 1.0 / (omega[interval.node + 1u] - from);
     const double low = at_nodes[interval.node];
     const double rise = at_nodes[interval.node + 1u] - low;
+    out[i] = {};
     for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
-      const double t = (peak.omega[p] - from) / width;
-      const double beyond = peak.weight[p] * (at_points[p] - (low + t * rise));
+      const double t = (static_cast<double>(peak.omega[p]) - from) * by_width;
+      const double beyond = static_cast<double>(peak.weight[p]) * (at_points[p] - (low + t * rise));
       const auto shape = legendre(t);
       for (std::size_t l = 0; l < kDensityTerms; ++l) {
         out[i][l] += beyond * shape[l];
       }
     }
   }
-  return out;
 }
 
-double peak_variance(const RollPeak& peak, const PeakTerms& terms,
-                     const std::array<DensityTerms, kMaxFrequencies - 1>& density) {
+namespace {
+
+double node_sum(const EnergyBand& band, const NodeValues& values) {
+  // Four partial sums, so that the compiler may use vectors without reordering anything.
+  std::array<double, 4> sums{};
+  std::size_t f = band.first;
+  for (; f + 4 <= band.last + 1; f += 4) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      sums[j] += values[f + j] * band.node[f + j];
+    }
+  }
+  for (; f <= band.last; ++f) {
+    sums[0] += values[f] * band.node[f];
+  }
+  return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+}
+
+double peak_sum(const EnergyBand& band, const RollPeak& peak, const PeakTerms& terms) {
   std::array<double, kDensityTerms> sums{};
   for (std::size_t i = 0; i < peak.intervals.size(); ++i) {
-    const DensityTerms& sea = density[peak.intervals[i].node];
+    const std::size_t node = peak.intervals[i].node;
+    if (node < band.first || node >= band.last) {
+      continue;
+    }
     for (std::size_t l = 0; l < kDensityTerms; ++l) {
-      sums[l] += terms[i][l] * sea[l];
+      sums[l] += terms[i][l] * band.density[node][l];
     }
   }
   return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+}
+
+}  // namespace
+
+void integrate_over_bands(const SeaEnergy& sea, const NodeValues& at_nodes, const RollPeak& peak,
+                          const PeakTerms* terms, std::span<double> out) {
+  QS_CHECK(out.size() >= sea.num_bands);
+  for (std::size_t b = 0; b < sea.num_bands; ++b) {
+    out[b] = node_sum(sea.band[b], at_nodes);
+    if (terms != nullptr) {
+      out[b] += peak_sum(sea.band[b], peak, *terms);
+    }
+  }
 }
 
 }  // namespace quickstrip

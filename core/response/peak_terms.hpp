@@ -12,7 +12,7 @@
 #include <span>
 
 #include "core/base/capacity.hpp"
-#include "core/response/watch.hpp"
+#include "core/response/channel_energy.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/roll_peak.hpp"
 
@@ -25,12 +25,12 @@ using PeakTerms = std::array<std::array<double, kDensityTerms>, kMaxPeakInterval
 bool feels_roll(const Channel& channel);
 
 /// Terms of a response whose values (|H|^2, or times a power of omega_e) are `at_nodes`, the wave frequencies
-/// `omega`, and `at_points`, those of the peak. Intervals that the peak has not are zero.
-PeakTerms peak_terms(const RollPeak& peak, std::span<const double> omega, std::span<const double> at_nodes,
-                     std::span<const double> at_points);
+/// `omega`, and `at_points`, those of the peak.
+void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,
+                     const PointValues& at_points, PeakTerms& out);
 
-/// The part of a variance that the terms make with one direction's densities.
-double peak_variance(const RollPeak& peak, const PeakTerms& terms,
-                     const std::array<DensityTerms, kMaxFrequencies - 1>& density);
+/// What each band of the sea brings at one direction: integral of value times band. `terms` may be null.
+void integrate_over_bands(const SeaEnergy& sea, const NodeValues& at_nodes, const RollPeak& peak,
+                          const PeakTerms* terms, std::span<double> out);
 
 }  // namespace quickstrip

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "core/response/relative_motion.hpp"
 #include "core/response/slamming.hpp"
 
 namespace quickstrip {
@@ -87,20 +86,40 @@ bool all_finite(const Watch& watch) {
          });
 }
 
-std::complex<double> acceleration(const Channel& channel, const MotionTransfer& transfer, double gravity) {
-  const PointMotion a = point_acceleration(transfer, channel.position, gravity);
+bool is_relative_motion(Quantity quantity) {
+  return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness;
+}
+
+// What the channel is when only these motions are there: no incident wave.
+double response_to_motions(const Channel& channel, const MotionTransfer& motions, double gravity) {
+  if (channel.quantity <= Quantity::kYaw) {
+    return motions.motion[static_cast<std::size_t>(channel.quantity)].real();
+  }
+  if (is_relative_motion(channel.quantity)) {
+    return -point_displacement(motions, channel.position).z.real();
+  }
+  const PointMotion a = point_acceleration(motions, channel.position, gravity);
   switch (channel.quantity) {
     case Quantity::kLongitudinalAcceleration:
-      return a.x;
+      return a.x.real();
     case Quantity::kLateralAcceleration:
-      return a.y;
+      return a.y.real();
     default:
-      return a.z;
+      return a.z.real();
   }
 }
 
-bool is_relative_motion(Quantity quantity) {
-  return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness;
+// Everything is linear: one motion at a time, at omega_e of 0 and of 1 rad/s.
+LinearForm linear_form(const Channel& channel, double gravity) {
+  LinearForm form{.wave = is_relative_motion(channel.quantity) ? 1.0 : 0.0};
+  for (std::size_t j = 0; j < form.displacement.size(); ++j) {
+    MotionTransfer one;
+    one.motion[j] = 1.0;
+    form.displacement[j] = response_to_motions(channel, one, gravity);
+    one.encounter_frequency = 1.0;
+    form.acceleration[j] = response_to_motions(channel, one, gravity) - form.displacement[j];
+  }
+  return form;
 }
 
 }  // namespace
@@ -124,6 +143,9 @@ Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatic
   if (const Status status = list_freeboard(hull, loading, g, out); !status) {
     return status;
   }
+  for (Channel& channel : out.channels) {
+    channel.form = linear_form(channel, loading.gravity);
+  }
   return all_finite(out) ? Status() : Status(Error::kNotFinite);
 }
 
@@ -132,26 +154,6 @@ std::size_t find_channel(const Watch& watch, Quantity quantity, std::uint8_t pla
       watch.channels.begin(), watch.channels.end(),
       [&](const Channel& channel) { return channel.quantity == quantity && channel.place == place; });
   return static_cast<std::size_t>(found - watch.channels.begin());
-}
-
-std::complex<double> channel_response(const Channel& channel, const MotionTransfer& transfer,
-                                      double wave_number, EncounterAngle mu, double gravity) {
-  if (channel.quantity <= Quantity::kYaw) {
-    return transfer.motion[static_cast<std::size_t>(channel.quantity)];
-  }
-  if (is_relative_motion(channel.quantity)) {
-    return relative_motion(transfer, channel.position, wave_number, mu);
-  }
-  return acceleration(channel, transfer, gravity);
-}
-
-void channel_energies(const Channel& channel, std::span<const MotionTransfer> transfers,
-                      std::span<const double> wave_numbers, EncounterAngle mu, double gravity,
-                      std::span<double> out) {
-  QS_CHECK(transfers.size() == out.size() && wave_numbers.size() == out.size());
-  for (std::size_t f = 0; f < out.size(); ++f) {
-    out[f] = std::norm(channel_response(channel, transfers[f], wave_numbers[f], mu, gravity));
-  }
 }
 
 }  // namespace quickstrip

@@ -1,17 +1,15 @@
 // The watch: every response channel of the loaded hull. Six motions of G, three accelerations at each point,
 // and the vertical relative motion at each slamming station and freeboard point.
 //
-// Built when the loading changes. A channel is a linear functional of the six motions and the incident wave:
-// its energy |H|^2 per metre^2 times the wave energy, summed, is the variance.
+// Built when the loading changes. A channel is a linear functional of the six motions and the incident wave;
+// what it answers to waves is in channel_energy.hpp.
 // Assumes: small trim: points keep their height above the base line, measured along the vertical.
 #pragma once
 
-#include <complex>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
 #include "core/base/static_vector.hpp"
@@ -19,9 +17,16 @@
 #include "core/hull/hydrostatics.hpp"
 #include "core/response/point_motion.hpp"
 #include "core/response/quantity.hpp"
-#include "core/strip/motion_transfer.hpp"
 
 namespace quickstrip {
+
+/// A channel as a linear functional of the six motions x_j and of the incident wave at its position: sum of
+/// (displacement_j + omega_e^2 acceleration_j) x_j, plus `wave` times the elevation.
+struct LinearForm {
+  std::array<double, 6> displacement{};
+  std::array<double, 6> acceleration{};
+  double wave = 0.0;
+};
 
 struct Channel {
   Quantity quantity = Quantity::kRoll;
@@ -30,6 +35,7 @@ struct Channel {
   Position position{};                 // relative to G; the origin for motions
   double level = 0.0;  // m: draught of the slamming station, freeboard of the freeboard point; >= 0
   double threshold_velocity = 0.0;  // m/s; slamming only
+  LinearForm form{};
 };
 
 struct Watch {
@@ -43,14 +49,5 @@ Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatic
 
 /// Index into channels, or channels.size() when there is no such channel.
 std::size_t find_channel(const Watch& watch, Quantity quantity, std::uint8_t place);
-
-/// Per metre of wave amplitude: m, rad, m/s2. mu of the wave that `transfer` answers.
-std::complex<double> channel_response(const Channel& channel, const MotionTransfer& transfer,
-                                      double wave_number, EncounterAngle mu, double gravity);
-
-/// |H|^2 at each frequency of one direction. transfers, wave_numbers and out of one length.
-void channel_energies(const Channel& channel, std::span<const MotionTransfer> transfers,
-                      std::span<const double> wave_numbers, EncounterAngle mu, double gravity,
-                      std::span<double> out);
 
 }  // namespace quickstrip

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
+#include "core/base/direction_transform.hpp"
 #include "core/sea/moments.hpp"
 
 namespace quickstrip {
@@ -26,40 +28,71 @@ Status check_nodes(std::span<const double> omega) {
 
 void clear_grid(std::size_t num_frequencies, SeaEnergy& out) {
   out.num_systems = 0;
+  out.num_bands = 0;
   out.num_frequencies = num_frequencies;
-  for (auto& system : out.energy) {
-    for (auto& direction : system) {
-      direction.fill(0.0);
-    }
-  }
-  for (auto& direction : out.total) {
-    direction.fill(0.0);
-  }
-  for (auto& system : out.density) {
-    for (auto& direction : system) {
-      direction.fill(DensityTerms{});
-    }
-  }
-  for (auto& direction : out.total_density) {
-    direction.fill(DensityTerms{});
-  }
   out.system.fill(WaveSystem{});
   out.lost_tail = 0.0;
   out.hs = 0.0;
 }
 
-void sum_up(double m0, double on_nodes, SeaEnergy& out) {
-  for (std::size_t s = 0; s < out.num_systems; ++s) {
-    for (std::size_t d = 0; d < kNumDirections; ++d) {
-      for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-        out.total[d][f] += out.energy[s][d][f];
-      }
-      for (std::size_t i = 0; i + 1 < out.num_frequencies; ++i) {
-        for (std::size_t l = 0; l < kDensityTerms; ++l) {
-          out.total_density[d][i][l] += out.density[s][d][i][l];
-        }
+EnergyBand& add_band(SeaEnergy& out) {
+  QS_CHECK(out.num_bands < kMaxEnergyBands);
+  EnergyBand& band = out.band[out.num_bands++];
+  band.node.fill(0.0);
+  band.density.fill(DensityTerms{});
+  return band;
+}
+
+namespace {
+
+void set_bounds(std::size_t num_frequencies, EnergyBand& band) {
+  band.first = num_frequencies;
+  band.last = 0;
+  for (std::size_t f = 0; f < num_frequencies; ++f) {
+    if (band.node[f] != 0.0) {
+      band.first = std::min(band.first, f);
+      band.last = f;
+    }
+  }
+  band.first = std::min(band.first, band.last);
+}
+
+// Energy from d and from the mirrored direction: even and odd in direction.
+void transform_factors(SystemEnergy& system) {
+  static_assert(sizeof(HalfCircle<kTransformBlock>) < 4096, "kept on the stack");
+  for (std::size_t b = system.first; b < system.first + system.count; b += kTransformBlock) {
+    HalfCircle<kTransformBlock> even{};
+    HalfCircle<kTransformBlock> odd{};
+    const std::size_t count = std::min(kTransformBlock, system.first + system.count - b);
+    for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
+      for (std::size_t j = 0; j < count; ++j) {
+        const double one = system.factor[b + j][m];
+        const double other = system.factor[b + j][(kNumDirections - m) % kNumDirections];
+        even[m][j] = 0.5 * (one + other);
+        odd[m][j] = 0.5 * (one - other);
       }
     }
+    HalfCircle<kTransformBlock> cosine;
+    HalfCircle<kTransformBlock> sine;
+    cosine_transform(even, count, cosine);
+    sine_transform(odd, count, sine);
+    for (std::size_t k = 0; k < kNumSolvedDirections; ++k) {
+      for (std::size_t j = 0; j < count; ++j) {
+        system.cosine[k][b + j] = cosine[k][j];
+        system.sine[k][b + j] = sine[k][j];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void complete(double m0, double on_nodes, SeaEnergy& out) {
+  for (std::size_t b = 0; b < out.num_bands; ++b) {
+    set_bounds(out.num_frequencies, out.band[b]);
+  }
+  for (std::size_t s = 0; s < out.num_systems; ++s) {
+    transform_factors(out.part[s]);
   }
   out.hs = significant_wave_height(m0);
   out.lost_tail = std::clamp(1.0 - on_nodes / m0, 0.0, 1.0);

@@ -14,15 +14,17 @@ namespace quickstrip {
 // Less than this share of a system on the nodes is no basis for scaling: the end node takes it whole.
 inline constexpr double kLeastShare = 1e-6;
 
-using GridOfSystem = std::array<std::array<double, kMaxFrequencies>, kNumDirections>;
-
 /// 3 ... kMaxFrequencies nodes, finite, positive, increasing. Errors: kNotFinite, kOutOfRange.
 Status check_nodes(std::span<const double> omega);
 
-/// Everything zero, no systems.
+/// No systems, no bands.
 void clear_grid(std::size_t num_frequencies, SeaEnergy& out);
 
-/// Totals over the systems, height, lost tail. m0 of the input > 0; `on_nodes`: what of it lay on the nodes.
-void sum_up(double m0, double on_nodes, SeaEnergy& out);
+/// A band without energy, appended.
+EnergyBand& add_band(SeaEnergy& out);
+
+/// Bounds of each band, transforms of each system, height, lost tail; the systems' factors are set. m0 of the
+/// input > 0; `on_nodes`: what of it lay on the nodes.
+void complete(double m0, double on_nodes, SeaEnergy& out);
 
 }  // namespace quickstrip

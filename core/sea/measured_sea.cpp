@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/constants.hpp"
 #include "core/base/legendre.hpp"
@@ -75,9 +76,11 @@ DensityTerms piece_terms(std::span<const double> bands, std::span<const double> 
   return terms;
 }
 
-// What one band's row adds to the density of a system, before scaling.
-void add_density(std::span<const double> bands, std::span<const double> omega, std::size_t band,
-                 const DirectionWeights& row, SeaEnergy::Densities& densities) {
+// What the hat function of one band holds: energy on the nodes, density between them, for a density of 1 at
+// the band.
+void place_band(std::span<const double> bands, std::span<const double> omega, std::size_t band,
+                const HatProducts& products, EnergyBand& out) {
+  std::copy(products[band].begin(), products[band].end(), out.node.begin());
   const std::size_t first = band > 0 ? band - 1 : 0;
   const std::size_t last = std::min(band + 1, bands.size() - 1);
   for (std::size_t b = first; b < last; ++b) {
@@ -86,10 +89,8 @@ void add_density(std::span<const double> bands, std::span<const double> omega, s
         continue;
       }
       const DensityTerms terms = piece_terms(bands, omega, b, n, band);
-      for (std::size_t d = 0; d < kNumDirections; ++d) {
-        for (std::size_t l = 0; l < kDensityTerms; ++l) {
-          densities[d][n][l] += row[d] * terms[l];
-        }
+      for (std::size_t l = 0; l < kDensityTerms; ++l) {
+        out.density[n][l] += terms[l];
       }
     }
   }
@@ -144,42 +145,53 @@ DirectionWeights mapped_row(const DirectionalSpectrum& spectrum, const WaveParti
   return mapped;
 }
 
-// One system onto directions and nodes, scaled to its m0. Returns the energy on the nodes before.
-double place_system(const DirectionalSpectrum& spectrum, const DirectionMap& map, const HatProducts& products,
+// The bands that a system has energy in.
+void set_range(std::size_t num_bands, SystemEnergy& part) {
+  const auto is_empty = [&part](std::size_t b) {
+    return std::all_of(part.factor[b].begin(), part.factor[b].end(), [](double x) { return x == 0.0; });
+  };
+  std::size_t end = num_bands;
+  part.first = 0;
+  while (part.first < num_bands && is_empty(part.first)) {
+    ++part.first;
+  }
+  while (end > part.first && is_empty(end - 1)) {
+    --end;
+  }
+  part.count = end - part.first;
+}
+
+// One system's directions, scaled to its m0; the two bands behind the spectrum's own are the end nodes.
+// Returns the energy on the nodes before.
+double place_system(const DirectionalSpectrum& spectrum, const DirectionMap& map,
                     std::span<const double> omega, std::size_t system, SeaEnergy& out) {
   const BandWeights weights = band_weights(spectrum.frequencies.span());
-  GridOfSystem& grid = out.energy[system];
+  const std::size_t num_bands = spectrum.frequencies.size();
+  SystemEnergy& part = out.part[system];
   DirectionWeights whole{};  // over all frequencies, on the nodes or not
   double on_nodes = 0.0;
-  for (std::size_t b = 0; b < spectrum.frequencies.size(); ++b) {
-    const DirectionWeights row = mapped_row(spectrum, out.partition, map, b, system);
+  for (std::size_t b = 0; b < num_bands; ++b) {
+    part.factor[b] = mapped_row(spectrum, out.partition, map, b, system);
+    const auto& node = out.band[b].node;
+    const double of_band = std::accumulate(node.begin(), node.end(), 0.0);
     for (std::size_t d = 0; d < kNumDirections; ++d) {
-      whole[d] += row[d] * weights[b];
-      for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-        grid[d][f] += row[d] * products[b][f];
-        on_nodes += row[d] * products[b][f];
-      }
+      whole[d] += part.factor[b][d] * weights[b];
+      on_nodes += part.factor[b][d] * of_band;
     }
-    add_density(spectrum.frequencies.span(), omega, b, row, out.density[system]);
   }
   const double m0 = out.partition.m0[system];
   const bool beyond = on_nodes < kLeastShare * m0;
   const double scale = beyond ? 0.0 : m0 / on_nodes;
-  const double peak = kTwoPi / out.partition.system[system].period;
-  const std::size_t end_node = peak < omega.front() ? 0 : omega.size() - 1;
-  for (std::size_t d = 0; d < kNumDirections; ++d) {
-    for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-      grid[d][f] *= scale;
-    }
-    for (DensityTerms& terms : out.density[system][d]) {
-      for (double& term : terms) {
-        term *= scale;
-      }
-    }
-    if (beyond) {
-      grid[d][end_node] = whole[d];
+  for (std::size_t b = 0; b < num_bands; ++b) {
+    for (double& factor : part.factor[b]) {
+      factor *= scale;
     }
   }
+  const double peak = kTwoPi / out.partition.system[system].period;
+  const bool below = peak < omega.front();
+  part.factor[num_bands] = beyond && below ? whole : DirectionWeights{};
+  part.factor[num_bands + 1] = beyond && !below ? whole : DirectionWeights{};
+  set_range(num_bands + 2, part);
   return on_nodes;
 }
 
@@ -195,16 +207,21 @@ Status place_on_grid(const DirectionalSpectrum& spectrum, std::span<const double
   }
   clear_grid(omega.size(), out);
   const HatProducts products = hat_products(spectrum.frequencies.span(), omega);
+  for (std::size_t b = 0; b < spectrum.frequencies.size(); ++b) {
+    place_band(spectrum.frequencies.span(), omega, b, products, add_band(out));
+  }
+  add_band(out).node[0] = 1.0;
+  add_band(out).node[omega.size() - 1] = 1.0;
   const DirectionMap map = direction_map(spectrum.directions.span());
   double m0 = 0.0;
   double on_nodes = 0.0;
   for (std::size_t s = 0; s < out.partition.num_systems; ++s) {
-    on_nodes += place_system(spectrum, map, products, omega, s, out);
+    on_nodes += place_system(spectrum, map, omega, s, out);
     m0 += out.partition.m0[s];
     out.system[s] = out.partition.system[s];
   }
   out.num_systems = out.partition.num_systems;
-  sum_up(m0, on_nodes, out);
+  complete(m0, on_nodes, out);
   return {};
 }
 

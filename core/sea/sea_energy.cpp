@@ -11,36 +11,27 @@
 namespace quickstrip {
 namespace {
 
-using NodeEnergies = std::array<double, kMaxFrequencies>;
-
-// `shares` over direction sum to 1. Returns the energy on the nodes before scaling.
-double place_system(const Spectrum& spectrum, const DirectionWeights& shares, std::span<const double> omega,
-                    GridOfSystem& grid, SeaEnergy::Densities& densities) {
-  NodeEnergies nodes{};
-  const std::span<double> energies(nodes.data(), omega.size());
+// One band, scaled to the spectrum's m0. Returns the energy on the nodes before scaling.
+double place_spectrum(const Spectrum& spectrum, std::span<const double> omega, EnergyBand& band) {
+  const std::span<double> energies(band.node.data(), omega.size());
   hat_energies(spectrum, omega, energies);
-  double sum = 0.0;
+  double on_nodes = 0.0;
   for (const double e : energies) {
-    sum += e;
+    on_nodes += e;
   }
-  const double on_nodes = sum;
-  const bool beyond = sum < kLeastShare * spectrum.m0;
-  if (beyond) {
+  if (on_nodes < kLeastShare * spectrum.m0) {
     std::fill(energies.begin(), energies.end(), 0.0);
     energies[spectrum.peak_frequency < omega.front() ? 0 : omega.size() - 1] = spectrum.m0;
-    sum = spectrum.m0;
+    return on_nodes;
   }
-  for (std::size_t d = 0; d < kNumDirections; ++d) {
-    for (std::size_t f = 0; f < omega.size(); ++f) {
-      grid[d][f] = shares[d] * energies[f] * (spectrum.m0 / sum);
-    }
+  const double scale = spectrum.m0 / on_nodes;
+  for (double& e : energies) {
+    e *= scale;
   }
-  for (std::size_t i = 0; i + 1 < omega.size() && !beyond; ++i) {
+  for (std::size_t i = 0; i + 1 < omega.size(); ++i) {
     const DensityTerms terms = density_terms(spectrum, omega[i], omega[i + 1]);
-    for (std::size_t d = 0; d < kNumDirections; ++d) {
-      for (std::size_t l = 0; l < kDensityTerms; ++l) {
-        densities[d][i][l] = shares[d] * terms[l] * (spectrum.m0 / sum);
-      }
+    for (std::size_t l = 0; l < kDensityTerms; ++l) {
+      band.density[i][l] = scale * terms[l];
     }
   }
   return on_nodes;
@@ -69,7 +60,10 @@ Status place_on_grid(const SeaState& sea, std::span<const double> omega, SeaEner
     if (!shares) {
       return shares.error();
     }
-    on_nodes += place_system(*spectrum, *shares, omega, out.energy[s], out.density[s]);
+    on_nodes += place_spectrum(*spectrum, omega, add_band(out));
+    out.part[s].first = s;
+    out.part[s].count = 1;
+    out.part[s].factor[s] = *shares;
     m0 += spectrum->m0;
     out.system[s] = system;
     out.system[s].from.radians = wrap_two_pi(system.from.radians);
@@ -77,7 +71,7 @@ Status place_on_grid(const SeaState& sea, std::span<const double> omega, SeaEner
     out.system[s].period_kind = PeriodKind::kPeak;
   }
   out.num_systems = sea.systems.size();
-  sum_up(m0, on_nodes, out);
+  complete(m0, on_nodes, out);
   return {};
 }
 

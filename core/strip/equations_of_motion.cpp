@@ -50,18 +50,17 @@ double floored(double omega_e, double floor) {
   return omega_e < 0.0 ? -magnitude : magnitude;
 }
 
-struct Encounter {
-  double frequency = 0.0;
+struct FlooredEncounter {
+  Encounter encounter;
   double floored = 0.0;  // what coefficients and equations see
-  bool is_low = false;
 };
 
-Encounter encounter_of(const LoadedHull& hull, double omega, EncounterAngle mu, double speed) {
-  Encounter out;
-  out.frequency = encounter_frequency(omega, wave_number(omega, hull.gravity), speed, mu);
+FlooredEncounter encounter_of(const LoadedHull& hull, double omega, EncounterAngle mu, double speed) {
+  FlooredEncounter out;
   const double floor = encounter_floor(hull, omega);
-  out.is_low = std::fabs(out.frequency) < floor;
-  out.floored = floored(out.frequency, floor);
+  out.encounter.frequency = encounter_frequency(omega, wave_number(omega, hull.gravity), speed, mu);
+  out.encounter.is_low = std::fabs(out.encounter.frequency) < floor;
+  out.floored = floored(out.encounter.frequency, floor);
   return out;
 }
 
@@ -98,28 +97,28 @@ double encounter_floor(const LoadedHull& hull, double omega) {
 
 MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
                                   const std::array<Complex, 6>& load) {
-  const Encounter encounter = encounter_of(hull, omega, mu, speed);
+  const FlooredEncounter met = encounter_of(hull, omega, mu, speed);
   MotionTransfer out;
-  out.encounter_frequency = encounter.frequency;
-  out.low_encounter = encounter.is_low;
-  solve_motions(hull, encounter.floored, speed, load, out.motion);
+  out.encounter_frequency = met.encounter.frequency;
+  out.low_encounter = met.encounter.is_low;
+  solve_motions(hull, met.floored, speed, load, out.motion);
   return out;
 }
 
 MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed,
                                std::array<Complex, 6>& load) {
-  const Encounter encounter = encounter_of(hull, field.omega, field.mu, speed);
+  const FlooredEncounter met = encounter_of(hull, field.omega, field.mu, speed);
   MotionTransfer out;
-  out.encounter_frequency = encounter.frequency;
-  out.low_encounter = encounter.is_low;
-  if (encounter.is_low && hull.method.low_encounter == LowEncounterRule::kPaper) {
+  out.encounter_frequency = met.encounter.frequency;
+  out.low_encounter = met.encounter.is_low;
+  if (met.encounter.is_low && hull.method.low_encounter == LowEncounterRule::kPaper) {
     load = {};
     return out;  // loads forced to zero [Journee1992] §2
   }
   SectionHydrodynamics section;
-  section_hydrodynamics(hull, encounter.floored, section);
-  load = wave_loads(hull, field, section, encounter.floored, speed);
-  solve_motions(hull, encounter.floored, speed, load, out.motion);
+  section_hydrodynamics(hull, met.floored, section);
+  load = wave_loads(hull, field, section, met.floored, speed);
+  solve_motions(hull, met.floored, speed, load, out.motion);
   return out;
 }
 

@@ -15,4 +15,10 @@ struct MotionTransfer {
   bool low_encounter = false;        // |omega_e| below the floor of formulas §6
 };
 
+/// How a wave is met.
+struct Encounter {
+  double frequency = 0.0;  // omega_e: signed, true (not floored) [rad/s]
+  bool is_low = false;     // |omega_e| below the floor
+};
+
 }  // namespace quickstrip

@@ -52,10 +52,10 @@ struct Sight {
 };
 
 Sight sight_of(const RollResonance& resonance, double speed, EncounterAngle mu, double gravity, double from,
-               double to, const MotionTransfer& at_from, const MotionTransfer& at_to) {
-  const double we0 = at_from.encounter_frequency;
-  const double we1 = at_to.encounter_frequency;
-  if (at_from.low_encounter || at_to.low_encounter || (we0 < 0.0) != (we1 < 0.0)) {
+               double to, const Encounter& at_from, const Encounter& at_to) {
+  const double we0 = at_from.frequency;
+  const double we1 = at_to.frequency;
+  if (at_from.is_low || at_to.is_low || (we0 < 0.0) != (we1 < 0.0)) {
     return {};
   }
   // omega_e is a parabola of omega: its steepest slope is at an end, its extreme may lie between.
@@ -138,8 +138,9 @@ void place_points(std::span<const double> omega, const Panels& panels, RollPeak&
     const double width = (omega[j + 1] - omega[j]) / static_cast<double>(panels[j]);
     for (std::size_t p = 0; p < panels[j]; ++p) {
       for (std::size_t i = 0; i < kPointsOfPanel; ++i) {
-        out.omega[out.num_points] = omega[j] + width * (static_cast<double>(p) + kPlace[i]);
-        out.weight[out.num_points] = width * kShare[i];
+        out.omega[out.num_points] =
+            static_cast<float>(omega[j] + width * (static_cast<double>(p) + kPlace[i]));
+        out.weight[out.num_points] = static_cast<float>(width * kShare[i]);
         ++out.num_points;
       }
     }
@@ -153,10 +154,10 @@ struct Stencil {
   std::size_t count = 2;
 };
 
-Stencil stencil_around(std::span<const MotionTransfer> row, std::size_t j) {
+Stencil stencil_around(std::span<const Encounter> row, std::size_t j) {
   constexpr std::size_t kMost = 6;
   const auto is_alike = [&](std::size_t i) {
-    return !row[i].low_encounter && (row[i].encounter_frequency < 0.0) == (row[j].encounter_frequency < 0.0);
+    return !row[i].is_low && (row[i].frequency < 0.0) == (row[j].frequency < 0.0);
   };
   std::size_t first = j;
   std::size_t last = j + 1;
@@ -216,25 +217,35 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed) {
   return {omega, std::isfinite(width) ? std::clamp(width, kLeastHalfWidth * omega, widest) : widest};
 }
 
-void solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed, EncounterAngle mu,
-                     std::span<const double> omega, std::span<const MotionTransfer> row,
+bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed, EncounterAngle mu,
+                     std::span<const double> omega, std::span<const Encounter> encounters,
                      std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out) {
-  QS_CHECK(omega.size() >= 4 && omega.size() <= kMaxFrequencies && row.size() == omega.size() &&
+  QS_CHECK(omega.size() >= 4 && omega.size() <= kMaxFrequencies && encounters.size() == omega.size() &&
            loads.size() == omega.size());
   const std::array<double, kMaxFrequencies> share = roll_shares(omega, loads, resonance.omega);
   std::array<Sight, kMaxFrequencies> sights{};
   for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
-    sights[j] = sight_of(resonance, speed, mu, hull.gravity, omega[j], omega[j + 1], row[j], row[j + 1]);
+    sights[j] = sight_of(resonance, speed, mu, hull.gravity, omega[j], omega[j + 1], encounters[j],
+                         encounters[j + 1]);
     sights[j].gain = sights[j].error * std::max(share[j], share[j + 1]);
   }
   place_points(omega, choose_panels(sights), out);
+  bool is_finite = true;
   for (const PeakInterval& interval : out.intervals) {
-    const Stencil stencil = stencil_around(row, interval.node);
+    const Stencil stencil = stencil_around(encounters, interval.node);
     for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
-      const auto load = load_between(omega, loads, stencil, out.omega[p]);
-      out.solved[p] = motions_under_load(hull, out.omega[p], mu, speed, load);
+      const auto at = static_cast<double>(out.omega[p]);
+      const auto load = load_between(omega, loads, stencil, at);
+      const MotionTransfer solved = motions_under_load(hull, at, mu, speed, load);
+      for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
+        const Complex motion = solved.motion[kPeakModes[i]];
+        out.re[i][p] = static_cast<float>(motion.real());
+        out.im[i][p] = static_cast<float>(motion.imag());
+        is_finite = is_finite && std::isfinite(motion.real()) && std::isfinite(motion.imag());
+      }
     }
   }
+  return is_finite;
 }
 
 }  // namespace quickstrip

@@ -44,14 +44,18 @@ struct PeakInterval {
   std::uint8_t count = 0;
 };
 
-/// Solutions between the wave frequencies at one speed and direction. An integral over an interval is the sum
-/// of weight times value over its points.
+/// Sway, roll and yaw, which alone make the peak, in the order of kPeakModes.
+inline constexpr std::array<std::size_t, 3> kPeakModes = {1, 3, 5};
+
+/// Solutions between the wave frequencies at one speed and direction, in single precision: 6e-8 of a value.
+/// An integral over an interval is the sum of weight times value over its points.
 struct RollPeak {
   StaticVector<PeakInterval, kMaxPeakIntervals> intervals;  // in increasing frequency
   std::size_t num_points = 0;
-  std::array<double, kMaxPeakPoints> omega{};   // wave frequency [rad/s]
-  std::array<double, kMaxPeakPoints> weight{};  // rad/s
-  std::array<MotionTransfer, kMaxPeakPoints> solved{};
+  std::array<float, kMaxPeakPoints> omega{};   // wave frequency [rad/s]
+  std::array<float, kMaxPeakPoints> weight{};  // rad/s
+  std::array<std::array<float, kMaxPeakPoints>, kPeakModes.size()> re{};
+  std::array<std::array<float, kMaxPeakPoints>, kPeakModes.size()> im{};
 
   void clear() {
     intervals.clear();
@@ -63,9 +67,11 @@ struct RollPeak {
 /// that frequency, and its own damping.
 RollResonance roll_resonance(const LoadedHull& hull, double speed);
 
-/// `omega`: the wave frequencies, at least four, increasing; `row` and `loads`: solved and loaded there.
-void solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed, EncounterAngle mu,
-                     std::span<const double> omega, std::span<const MotionTransfer> row,
-                     std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out);
+/// `omega`: the wave frequencies, at least four, increasing; `encounters` and `loads`: there. False: a
+/// solution is not finite.
+[[nodiscard]] bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed,
+                                   EncounterAngle mu, std::span<const double> omega,
+                                   std::span<const Encounter> encounters,
+                                   std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out);
 
 }  // namespace quickstrip

@@ -22,37 +22,44 @@ bool is_finite(const MotionTransfer& t) {
                      [](const Complex& m) { return std::isfinite(m.real()) && std::isfinite(m.imag()); });
 }
 
+EncounterAngle solved_angle(std::size_t m) {
+  return {kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1)};
+}
+
 Status solve_direction(const LoadedHull& hull, std::size_t m,
                        std::span<const RollResonance, kMaxSpeeds> resonances, TransferFunctions& out) {
-  const EncounterAngle mu{kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1)};
+  const EncounterAngle mu = solved_angle(m);
   const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
+  TransferWorkspace& work = out.workspace;
   WaveField field;
   for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-    wave_field(hull, out.omega[f], mu, haskind ? &out.workspace.correction[f] : nullptr, field);
+    wave_field(hull, out.omega[f], mu, haskind ? &work.correction[f] : nullptr, field);
     for (std::size_t v = 0; v < out.num_speeds; ++v) {
-      out.solved[v][m][f] = motion_transfer(hull, field, out.speeds[v], out.workspace.load[v][f]);
-      if (!is_finite(out.solved[v][m][f])) {
+      const MotionTransfer solved = motion_transfer(hull, field, out.speeds[v], work.load[v][f]);
+      if (!is_finite(solved)) {
         return Error::kSingular;
       }
+      store_motions(solved.motion, f, out.row[v][m]);
+      work.encounter[v][f] = {solved.encounter_frequency, solved.low_encounter};
     }
   }
   const std::size_t n = out.num_frequencies;
   const bool rolls = m > 0 && m + 1 < kNumSolvedDirections;  // waves from astern and ahead do not
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     out.peak[v][m].clear();
-    if (!rolls) {
-      continue;
-    }
-    RollPeak& peak = out.peak[v][m];
-    solve_roll_peak(hull, resonances[v], out.speeds[v], mu, std::span(out.omega).first(n),
-                    std::span(out.solved[v][m]).first(n), std::span(out.workspace.load[v]).first(n), peak);
-    for (std::size_t p = 0; p < peak.num_points; ++p) {
-      if (!is_finite(peak.solved[p])) {
-        return Error::kSingular;
-      }
+    if (rolls && !solve_roll_peak(hull, resonances[v], out.speeds[v], mu, std::span(out.omega).first(n),
+                                  std::span(work.encounter[v]).first(n), std::span(work.load[v]).first(n),
+                                  out.peak[v][m])) {
+      return Error::kSingular;
     }
   }
   return {};
+}
+
+void set_frequency(const LoadedHull& hull, std::size_t f, double omega, TransferFunctions& out) {
+  out.omega[f] = omega;
+  out.wave_number[f] = wave_number(omega, hull.gravity);
+  out.encounter_floor[f] = encounter_floor(hull, omega);
 }
 
 Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const double> speeds,
@@ -61,6 +68,7 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
     return Error::kTooMany;
   }
   out.num_speeds = speeds.size();
+  out.gravity = hull.gravity;
   std::copy(speeds.begin(), speeds.end(), out.speeds.begin());
   std::array<RollResonance, kMaxSpeeds> resonances{};
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
@@ -81,6 +89,13 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
 
 }  // namespace
 
+void store_motions(const std::array<Complex, 6>& motion, std::size_t f, MotionRow& row) {
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    row.re[i][f] = static_cast<float>(motion[i].real());
+    row.im[i][f] = static_cast<float>(motion[i].imag());
+  }
+}
+
 void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
   const double froude_frequency = std::sqrt(hull.gravity / hull.lpp);
   const double lowest = std::min(kLowestOmega, kLowestFroude * froude_frequency);
@@ -88,8 +103,7 @@ void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
   out.num_frequencies = kMaxFrequencies;
   for (std::size_t f = 0; f < kMaxFrequencies; ++f) {
     const double t = static_cast<double>(f) / static_cast<double>(kMaxFrequencies - 1);
-    out.omega[f] = lowest * std::pow(highest / lowest, t);
-    out.wave_number[f] = quickstrip::wave_number(out.omega[f], hull.gravity);
+    set_frequency(hull, f, lowest * std::pow(highest / lowest, t), out);
   }
 }
 
@@ -106,8 +120,7 @@ Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> 
   }
   out.num_frequencies = omega.size();
   for (std::size_t f = 0; f < omega.size(); ++f) {
-    out.omega[f] = omega[f];
-    out.wave_number[f] = quickstrip::wave_number(omega[f], hull.gravity);
+    set_frequency(hull, f, omega[f], out);
   }
   return solve_at_chosen_frequencies(hull, speeds, out);
 }

@@ -18,24 +18,37 @@
 
 namespace quickstrip {
 
+/// Six complex amplitudes by wave frequency, at one speed and direction: structure of arrays, in single
+/// precision (6e-8 of a value; energies are summed in double).
+struct MotionRow {
+  using ByFrequency = std::array<float, kMaxFrequencies>;
+  std::array<ByFrequency, 6> re{};
+  std::array<ByFrequency, 6> im{};
+};
+
 /// Of one direction at a time.
 struct TransferWorkspace {
   std::array<BeamSeaCorrection, kMaxFrequencies> correction{};
   std::array<std::array<std::array<Complex, 6>, kMaxFrequencies>, kMaxSpeeds> load{};
+  std::array<std::array<Encounter, kMaxFrequencies>, kMaxSpeeds> encounter{};
 };
 
-/// 9.6 MB at full capacity: static. solved[v][m][f]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
+/// 3.6 MB at full capacity: static. row[v][m]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
 struct TransferFunctions {
   std::size_t num_speeds = 0;
   std::size_t num_frequencies = 0;
+  double gravity = 0.0;
   std::array<double, kMaxSpeeds> speeds{};      // m/s
   std::array<double, kMaxFrequencies> omega{};  // wave frequency, increasing [rad/s]
   std::array<double, kMaxFrequencies> wave_number{};
-  std::array<std::array<std::array<MotionTransfer, kMaxFrequencies>, kNumSolvedDirections>, kMaxSpeeds>
-      solved{};
+  std::array<double, kMaxFrequencies> encounter_floor{};  // of |omega_e| [rad/s]
+  std::array<std::array<MotionRow, kNumSolvedDirections>, kMaxSpeeds> row{};
   std::array<std::array<RollPeak, kNumSolvedDirections>, kMaxSpeeds> peak{};  // [v][m]
   TransferWorkspace workspace;  // scratch, no meaning between calls
 };
+
+/// Stores the six motions.
+void store_motions(const std::array<Complex, 6>& motion, std::size_t f, MotionRow& row);
 
 /// Fills omega and wave_number: kMaxFrequencies geometric nodes whose range follows the hull's size.
 void choose_frequencies(const LoadedHull& hull, TransferFunctions& out);

@@ -30,8 +30,8 @@ int main() {
   auto scene = std::make_unique<Scene>();
   quickstrip::synthetic::fill(scene->transfer, quickstrip::kMaxSpeeds, 0.5, quickstrip::kMaxFrequencies,
                               quickstrip::synthetic::shiplike);
-  quickstrip::synthetic::add_system(scene->sea, scene->transfer, 0, 3.0, 8.0, 0, 35);
-  quickstrip::synthetic::add_system(scene->sea, scene->transfer, 1, 2.0, 11.0, 22, 35);
+  quickstrip::synthetic::add_system(scene->sea, scene->transfer, 3.0, 8.0, 0, 35);
+  quickstrip::synthetic::add_system(scene->sea, scene->transfer, 2.0, 11.0, 22, 35);
   time_of("grid, seas all round", [&] { scene->sweep(); });
   time_of("response of one cell", [&] {
     if (!respond(scene->inputs(), {1.02}, 4.7, scene->response).ok()) {
@@ -39,7 +39,7 @@ int main() {
     }
   });
   scene->sea = quickstrip::SeaEnergy{};
-  quickstrip::synthetic::add_system(scene->sea, scene->transfer, 0, 3.0, 8.0, 0, 0);
+  quickstrip::synthetic::add_system(scene->sea, scene->transfer, 3.0, 8.0, 0, 0);
   time_of("grid, one long-crested sea", [&] { scene->sweep(); });
   return 0;
 }

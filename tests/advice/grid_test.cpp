@@ -24,8 +24,8 @@ MotionTransfer unit_response(double, double, double) {
 class GridSweep : public testing::Test {
  protected:
   void add_crossing_seas() {
-    synthetic::add_system(scene_->sea, scene_->transfer, 0, 3.0, 7.0, 0, 8);
-    synthetic::add_system(scene_->sea, scene_->transfer, 1, 2.0, 11.0, 22, 4);
+    synthetic::add_system(scene_->sea, scene_->transfer, 3.0, 7.0, 0, 8);
+    synthetic::add_system(scene_->sea, scene_->transfer, 2.0, 11.0, 22, 4);
   }
   void only_roll_limit(double rms) {
     scene_->criteria.clear();
@@ -39,7 +39,7 @@ TEST_F(GridSweep, OfAUnitResponseReachesAnRmsLimitAtFourTimesTheLimitInWaveHeigh
   synthetic::fill(scene_->transfer, 9, 1.0, 40, unit_response);
   const double limit = 0.7;
   only_roll_limit(limit);
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 2.0, 9.0, 5, 6);
+  synthetic::add_system(scene_->sea, scene_->transfer, 2.0, 9.0, 5, 6);
   scene_->sweep();
   for (std::size_t v = 0; v < 9; ++v) {
     for (std::size_t h = 0; h < kMaxHeadings; ++h) {
@@ -100,32 +100,50 @@ TEST_F(GridSweep, HasAllVerdictsInACrossingSea) {
   EXPECT_GT(count[static_cast<std::size_t>(Verdict::kExceeded)], 0u);
 }
 
-TEST_F(GridSweep, IsMirroredExactlyForASymmetricShipInALongCrestedSea) {
+TEST_F(GridSweep, IsMirroredForASymmetricShipInALongCrestedSea) {
   scene_->hull.points[0].y = 0.0;
   scene_->bind();
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 3.0, 7.0, 0, 0);  // from north
+  synthetic::add_system(scene_->sea, scene_->transfer, 3.0, 7.0, 0, 0);  // from north
   scene_->sweep();
   for (std::size_t v = 0; v < 9; ++v) {
     for (std::size_t h = 1; h < kMaxHeadings; ++h) {
       const Cell& starboard = scene_->grid.cells[v][h];
       const Cell& port = scene_->grid.cells[v][kMaxHeadings - h];
-      EXPECT_EQ(starboard.values, port.values);  // bit for bit
-      EXPECT_EQ(starboard.margin, port.margin);
+      for (std::size_t i = 0; i < scene_->criteria.size(); ++i) {
+        EXPECT_NEAR(static_cast<double>(starboard.values[i]), static_cast<double>(port.values[i]),
+                    kFloat * static_cast<double>(port.values[i]));
+      }
       EXPECT_EQ(starboard.verdict, port.verdict);
     }
   }
 }
 
+TEST_F(GridSweep, GivesNothingAtAllWhereALongCrestedSeaMovesNothing) {
+  // Waves from ahead and from astern do not roll the ship: rounding of the transforms is not taken for roll.
+  only_roll_limit(0.1);
+  synthetic::add_system(scene_->sea, scene_->transfer, 9.0, 7.0, 0, 0);
+  scene_->sweep();
+  for (std::size_t v = 0; v < 9; ++v) {
+    EXPECT_EQ(scene_->grid.cells[v][0].rms_roll, 0.0F);
+    EXPECT_EQ(scene_->grid.cells[v][36].rms_roll, 0.0F);
+    EXPECT_EQ(scene_->grid.cells[v][36].low_encounter_share, 0.0F);
+    EXPECT_GT(scene_->grid.cells[v][1].rms_roll, 0.0F);
+  }
+}
+
 TEST_F(GridSweep, TurnsWithTheSea) {
   // Sea and heading turned by the same angle: the same cell, in all four quadrants.
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 3.0, 7.0, 4, 0);
+  synthetic::add_system(scene_->sea, scene_->transfer, 3.0, 7.0, 4, 0);
   scene_->sweep();
   const Cell before = scene_->grid.cells[5][10];
   for (const std::size_t turn : {18u, 36u, 54u}) {
     scene_->sea = SeaEnergy{};
-    synthetic::add_system(scene_->sea, scene_->transfer, 0, 3.0, 7.0, 4 + turn, 0);
+    synthetic::add_system(scene_->sea, scene_->transfer, 3.0, 7.0, 4 + turn, 0);
     scene_->sweep();
-    EXPECT_EQ(scene_->grid.cells[5][10 + turn].values, before.values);
+    for (std::size_t i = 0; i < scene_->criteria.size(); ++i) {
+      EXPECT_NEAR(static_cast<double>(scene_->grid.cells[5][10 + turn].values[i]),
+                  static_cast<double>(before.values[i]), kFloat * static_cast<double>(before.values[i]));
+    }
     EXPECT_NE(scene_->grid.cells[5][10].values, before.values);
   }
 }
@@ -135,7 +153,7 @@ TEST_F(GridSweep, AddsVariancesOfTwoSystemsBeforeAnyProbability) {
   ASSERT_TRUE(scene_->criteria.push_back(
       {.quantity = Quantity::kDeckWetness, .statistic = Statistic::kProbability, .limit = 0.5}));
   scene_->bind();
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 1.0, 7.0, 0, 0);
+  synthetic::add_system(scene_->sea, scene_->transfer, 1.0, 7.0, 0, 0);
   scene_->sweep();
   const Heading head{0.0};
   ASSERT_TRUE(respond(scene_->inputs(), head, 0.0, scene_->response).ok());
@@ -144,23 +162,17 @@ TEST_F(GridSweep, AddsVariancesOfTwoSystemsBeforeAnyProbability) {
   synthetic::scale_heights(scene_->sea, std::sqrt(exponent / std::log(100.0)));
   scene_->sweep();
   EXPECT_NEAR(static_cast<double>(scene_->grid.cells[0][0].wetness_probability), 0.01, 1e-7);
-  auto both = scene_->sea;
-  both.num_systems = 2;
-  both.energy[1] = both.energy[0];
-  for (auto& direction : both.total) {
-    for (double& energy : direction) {
-      energy *= 2.0;
-    }
-  }
-  scene_->sea = both;
+  // The same system once more.
+  scene_->sea.num_systems = 2;
+  scene_->sea.part[1] = scene_->sea.part[0];
   scene_->sweep();
   EXPECT_NEAR(static_cast<double>(scene_->grid.cells[0][0].wetness_probability), 0.10, 1e-6);
 }
 
 TEST_F(GridSweep, NamesTheSystemThatContributesMostOfTheGoverningVariance) {
   only_roll_limit(0.1);
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 3.0, 8.0, 0, 0);   // from north
-  synthetic::add_system(scene_->sea, scene_->transfer, 1, 3.0, 8.0, 18, 0);  // from east
+  synthetic::add_system(scene_->sea, scene_->transfer, 3.0, 8.0, 0, 0);   // from north
+  synthetic::add_system(scene_->sea, scene_->transfer, 3.0, 8.0, 18, 0);  // from east
   scene_->sweep();
   EXPECT_EQ(scene_->grid.cells[0][0].governing_system, 1);   // heading north: the beam sea from east rolls
   EXPECT_EQ(scene_->grid.cells[0][18].governing_system, 0);  // heading east: the one from north
@@ -178,7 +190,7 @@ TEST_F(GridSweep, DoesNotCallFollowingSeasGoodWhereEncounterFrequencyVanishes) {
   only_roll_limit(10.0);  // never reached
   // 8 m/s, waves of 5.2 s from dead astern: their peak travels with the ship, |omega_e| < 0.1 from 1.1
   // to 1.3.
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 1.0, 5.2, 36, 0);
+  synthetic::add_system(scene_->sea, scene_->transfer, 1.0, 5.2, 36, 0);
   scene_->sweep();
   const Cell& following = scene_->grid.cells[8][0];
   EXPECT_GT(following.low_encounter_share, 0.2F);
@@ -197,7 +209,7 @@ TEST_F(GridSweep, DoesNotCallFollowingSeasGoodWhereTheirLoadsAreForcedToZero) {
     return transfer;
   });
   only_roll_limit(10.0);
-  synthetic::add_system(scene_->sea, scene_->transfer, 0, 1.0, 5.2, 36, 0);
+  synthetic::add_system(scene_->sea, scene_->transfer, 1.0, 5.2, 36, 0);
   scene_->sweep();
   EXPECT_EQ(scene_->grid.cells[8][0].low_encounter_share, 0.0F);  // the trap
   scene_->suppresses_low_encounter = true;
@@ -259,7 +271,7 @@ TEST_F(GridSweep, RefusesASeaWithoutEnergyAndOneOnOtherFrequencies) {
 
 TEST_F(GridSweep, MakesOnlyTheCellsUnknownWhoseMotionsAreNotANumber) {
   add_crossing_seas();
-  scene_->transfer.solved[3][20][5].motion[3] = std::nan("");
+  scene_->transfer.row[3][20].re[3][5] = std::nanf("");
   scene_->sweep();
   EXPECT_EQ(scene_->grid.cells[3][20].verdict, Verdict::kUnknown);
   EXPECT_NE(scene_->grid.cells[4][20].governing, kNoCriterion);

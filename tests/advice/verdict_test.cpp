@@ -167,7 +167,7 @@ class MarginLaw : public testing::TestWithParam<Criterion> {};
 TEST_P(MarginLaw, WaveHeightsScaledByTheMarginLandOnTheLimit) {
   const Criterion& criterion = GetParam();
   auto scene = std::make_unique<Scene>();
-  synthetic::add_system(scene->sea, scene->transfer, 0, 3.0, 7.0, 8, 6);
+  synthetic::add_system(scene->sea, scene->transfer, 3.0, 7.0, 8, 6);
   const std::size_t c = find_channel(scene->watch, criterion.quantity, criterion.place);
   ASSERT_LT(c, scene->watch.channels.size());
   const Channel& channel = scene->watch.channels[c];

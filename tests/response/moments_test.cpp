@@ -38,54 +38,51 @@ TEST_F(Moments, OfAUnitResponseGiveAQuarterOfTheSignificantWaveHeight) {
     transfer.motion[2] = 1.0;
     return transfer;
   });
-  synthetic::add_system(*sea_, *transfer_, 0, 4.0, 9.0, 10, 6);
+  synthetic::add_system(*sea_, *transfer_, 4.0, 9.0, 10, 6);
   const auto moments = at(*sea_, 123.0, 3.3);
   EXPECT_NEAR(std::sqrt(moments[channel(Quantity::kHeave)].m0), 1.0, 1e-12);  // rounding of the sums
 }
 
 TEST_F(Moments, OfOneWaveAreItsEnergyTimesPowersOfTheEncounterFrequency) {
-  sea_->num_systems = 1;
-  sea_->num_frequencies = transfer_->num_frequencies;
-  sea_->energy[0][18][12] = 0.5;  // from east
-  sea_->total[18][12] = 0.5;
-  const auto moments = at(*sea_, 90.0, 4.0);  // heading east: head waves
+  synthetic::add_waves(*sea_, *transfer_, 18, {{12, 0.5}});  // from east
+  const auto moments = at(*sea_, 90.0, 4.0);                 // heading east: head waves
   const double omega = transfer_->omega[12];
   const double omega_e = omega + 4.0 * omega * omega / kStandardGravity;
   const ResponseMoments& heave = moments[channel(Quantity::kHeave)];
   const double h2 = std::norm(synthetic::shiplike(4.0, kPi, omega).motion[2]);
-  EXPECT_NEAR(heave.m0, 0.5 * h2, 1e-13 * h2);
-  EXPECT_NEAR(heave.m1, 0.5 * h2 * omega_e, 1e-13 * h2);
-  EXPECT_NEAR(heave.m2, 0.5 * h2 * omega_e * omega_e, 1e-13 * h2);
+  constexpr double kSingle = 1.2e-7;  // motions are kept in single precision
+  EXPECT_NEAR(heave.m0, 0.5 * h2, kSingle * h2);
+  EXPECT_NEAR(heave.m1, 0.5 * h2 * omega_e, kSingle * h2);
+  EXPECT_NEAR(heave.m2, 0.5 * h2 * omega_e * omega_e, kSingle * h2);
   EXPECT_NEAR(zero_crossing_period(heave.m0, heave.m2), kTwoPi / omega_e, 1e-12);
 }
 
 TEST_F(Moments, AreThoseOfTheRightSideForWavesFromStarboardAndFromPort) {
   // The bridge lies to port: roll and heave add there for waves from one side and cancel for the other.
-  sea_->num_systems = 1;
-  sea_->num_frequencies = transfer_->num_frequencies;
-  const std::size_t f = 10;      // 0.61 rad/s: near the roll resonance
-  sea_->energy[0][27][f] = 1.0;  // 135 degrees: on the starboard bow of a ship heading 090
-  sea_->total[27][f] = 1.0;
+  const std::size_t f = 10;  // 0.61 rad/s: near the roll resonance
+  // 135 degrees: on the starboard bow of a ship heading 090
+  synthetic::add_waves(*sea_, *transfer_, 27, {{f, 1.0}});
   const double mu = 0.75 * kPi;
   MotionTransfer transfer = synthetic::shiplike(0.0, mu, transfer_->omega[f]);
   transfer.encounter_frequency = transfer_->omega[f];
   const std::size_t bridge = channel(Quantity::kVerticalAcceleration);
   const Position point = watch_.channels[bridge].position;
   EXPECT_NEAR(at(*sea_, 90.0, 0.0)[bridge].m0,
-              std::norm(point_acceleration(transfer, point, kStandardGravity).z), 1e-14);
+              std::norm(point_acceleration(transfer, point, kStandardGravity).z), 1e-7);  // single precision
   const Position other_side{point.x, -point.y, point.z};  // heading 180: the same wave is on the port bow
   EXPECT_NEAR(at(*sea_, 180.0, 0.0)[bridge].m0,
-              std::norm(point_acceleration(transfer, other_side, kStandardGravity).z), 1e-14);
+              std::norm(point_acceleration(transfer, other_side, kStandardGravity).z),
+              1e-7);  // single precision
   EXPECT_GT(std::abs(at(*sea_, 90.0, 0.0)[bridge].m0 / at(*sea_, 180.0, 0.0)[bridge].m0 - 1.0),
             0.05);  // the sides differ
 }
 
 TEST_F(Moments, OfWaveSystemsAddAndAreKeptApart) {
-  synthetic::add_system(*sea_, *transfer_, 0, 3.0, 8.0, 0, 5);
-  synthetic::add_system(*sea_, *transfer_, 1, 2.0, 12.0, 25, 2);
+  synthetic::add_system(*sea_, *transfer_, 3.0, 8.0, 0, 5);
+  synthetic::add_system(*sea_, *transfer_, 2.0, 12.0, 25, 2);
   const auto moments = at(*sea_, 37.0, 2.5);
   auto one = std::make_unique<SeaEnergy>();
-  synthetic::add_system(*one, *transfer_, 0, 3.0, 8.0, 0, 5);
+  synthetic::add_system(*one, *transfer_, 3.0, 8.0, 0, 5);
   const auto first = at(*one, 37.0, 2.5);
   for (std::size_t c = 0; c < moments.size(); ++c) {
     EXPECT_NEAR(moments[c].m0_by_system[0], first[c].m0, 1e-12 * first[c].m0);
@@ -96,7 +93,7 @@ TEST_F(Moments, OfWaveSystemsAddAndAreKeptApart) {
 }
 
 TEST_F(Moments, BetweenHeadingsAndSpeedsAreTheBilinearMeanOfTheFourCorners) {
-  synthetic::add_system(*sea_, *transfer_, 0, 3.0, 8.0, 7, 3);
+  synthetic::add_system(*sea_, *transfer_, 3.0, 8.0, 7, 3);
   const auto middle = at(*sea_, 41.0, 3.25);
   const auto corner = [&](double heading, double speed) { return at(*sea_, heading, speed); };
   const auto c00 = corner(40.0, 3.0);
@@ -112,9 +109,9 @@ TEST_F(Moments, BetweenHeadingsAndSpeedsAreTheBilinearMeanOfTheFourCorners) {
 
 TEST_F(Moments, AreTheSameOnBothSidesOfASymmetricShip) {
   // Waves from 30 degrees to starboard of the bow, and from 30 to port; bridge moved to the other side.
-  synthetic::add_system(*sea_, *transfer_, 0, 3.0, 8.0, 6, 0);
+  synthetic::add_system(*sea_, *transfer_, 3.0, 8.0, 6, 0);
   auto other = std::make_unique<SeaEnergy>();
-  synthetic::add_system(*other, *transfer_, 0, 3.0, 8.0, 66, 0);
+  synthetic::add_system(*other, *transfer_, 3.0, 8.0, 66, 0);
   const auto starboard = at(*sea_, 0.0, 5.0);
   hull_->points[0].y = -hull_->points[0].y;
   ASSERT_TRUE(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).ok());
@@ -127,14 +124,14 @@ TEST_F(Moments, AreTheSameOnBothSidesOfASymmetricShip) {
 
 TEST_F(Moments, BelowTheEncounterFloorAreCountedApart) {
   // 8 m/s, following: omega_e = omega (1 - 8 omega / g) is within 0.1 of zero from about 1.11 to 1.32 rad/s.
-  sea_->num_systems = 1;
-  sea_->num_frequencies = transfer_->num_frequencies;
   std::size_t low = 0;
-  while (!transfer_->solved[8][0][low].low_encounter) {
+  const auto omega_e = [this](std::size_t f) {
+    return transfer_->omega[f] - transfer_->wave_number[f] * 8.0;
+  };
+  while (!(std::abs(omega_e(low)) < 0.1)) {
     ++low;
   }
-  sea_->total[0][low] = sea_->energy[0][0][low] = 0.3;
-  sea_->total[0][2] = sea_->energy[0][0][2] = 0.6;
+  synthetic::add_waves(*sea_, *transfer_, 0, {{low, 0.3}, {2, 0.6}});
   const auto moments = at(*sea_, 180.0, 8.0);
   const ResponseMoments& wetness = moments[channel(Quantity::kDeckWetness)];
   EXPECT_GT(wetness.m0_low_encounter, 0.0);
@@ -143,7 +140,7 @@ TEST_F(Moments, BelowTheEncounterFloorAreCountedApart) {
 }
 
 TEST_F(Moments, RefuseASpeedOutsideTheSolvedOnesAndNaN) {
-  synthetic::add_system(*sea_, *transfer_, 0, 3.0, 8.0, 7, 3);
+  synthetic::add_system(*sea_, *transfer_, 3.0, 8.0, 7, 3);
   std::vector<ResponseMoments> out(watch_.channels.size());
   EXPECT_EQ(response_moments(*transfer_, watch_, *sea_, {0.0}, 8.1, out).error(), Error::kSpeedOutOfGrid);
   EXPECT_EQ(response_moments(*transfer_, watch_, *sea_, {0.0}, -0.1, out).error(), Error::kSpeedOutOfGrid);
@@ -154,8 +151,8 @@ TEST_F(Moments, RefuseASpeedOutsideTheSolvedOnesAndNaN) {
 }
 
 TEST_F(Moments, AnswerNaNMotionsWithAReason) {
-  transfer_->solved[3][20][5].motion[2] = std::nan("");
-  synthetic::add_system(*sea_, *transfer_, 0, 3.0, 8.0, 0, 35);
+  transfer_->row[3][20].re[2][5] = std::nanf("");
+  synthetic::add_system(*sea_, *transfer_, 3.0, 8.0, 0, 35);
   std::vector<ResponseMoments> out(watch_.channels.size());
   EXPECT_EQ(response_moments(*transfer_, watch_, *sea_, {0.0}, 3.0, out).error(), Error::kNotFinite);
 }

@@ -6,10 +6,12 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 
 #include "core/base/constants.hpp"
 #include "core/hull/hull.hpp"
 #include "core/hull/hydrostatics.hpp"
+#include "core/sea/energy_grid.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/transfer_functions.hpp"
 
@@ -23,19 +25,18 @@ inline void fill(TransferFunctions& out, std::size_t num_speeds, double speed_st
                  std::size_t num_frequencies, const MotionModel& model) {
   out.num_speeds = num_speeds;
   out.num_frequencies = num_frequencies;
+  out.gravity = kStandardGravity;
   for (std::size_t f = 0; f < num_frequencies; ++f) {
     out.omega[f] = 0.2 + 1.6 * static_cast<double>(f) / static_cast<double>(num_frequencies - 1);
     out.wave_number[f] = out.omega[f] * out.omega[f] / kStandardGravity;
+    out.encounter_floor[f] = 0.1;
   }
   for (std::size_t v = 0; v < num_speeds; ++v) {
     out.speeds[v] = speed_step * static_cast<double>(v);
     for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
       const double mu = kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1);
       for (std::size_t f = 0; f < num_frequencies; ++f) {
-        MotionTransfer transfer = model(out.speeds[v], mu, out.omega[f]);
-        transfer.encounter_frequency = out.omega[f] - out.wave_number[f] * out.speeds[v] * std::cos(mu);
-        transfer.low_encounter = std::abs(transfer.encounter_frequency) < 0.1;
-        out.solved[v][m][f] = transfer;
+        store_motions(model(out.speeds[v], mu, out.omega[f]).motion, f, out.row[v][m]);
       }
     }
   }
@@ -60,51 +61,79 @@ inline MotionTransfer shiplike(double speed, double mu, double omega) {
   return transfer;
 }
 
-/// Bretschneider of hs and tp coming from direction index `from`, spread over neighbours by cos^2 of half
-/// width `half_width` nodes (0: one direction), as wave system `system`.
-inline void add_system(SeaEnergy& sea, const TransferFunctions& transfer, std::size_t system, double hs,
-                       double tp, std::size_t from, std::size_t half_width) {
+/// A system that is one band: node energies times a factor by direction. Systems in increasing order.
+inline SystemEnergy& append_system(SeaEnergy& sea, const TransferFunctions& transfer) {
   sea.num_frequencies = transfer.num_frequencies;
-  sea.num_systems = std::max(sea.num_systems, system + 1);
-  sea.hs = std::hypot(sea.hs, hs);
+  add_band(sea);
+  SystemEnergy& part = sea.part[sea.num_systems];
+  part.first = sea.num_systems++;
+  part.count = 1;
+  part.factor[part.first].fill(0.0);
+  return part;
+}
+
+/// Bounds and transforms after bands and factors are set.
+inline void close(SeaEnergy& sea, double hs) {
+  complete(1.0, 1.0, sea);
+  sea.hs = hs;
+}
+
+/// Bretschneider of hs and tp coming from direction index `from`, spread over neighbours by cos^2 of half
+/// width `half_width` nodes (0: one direction), as the next wave system.
+inline void add_system(SeaEnergy& sea, const TransferFunctions& transfer, double hs, double tp,
+                       std::size_t from, std::size_t half_width) {
+  SystemEnergy& part = append_system(sea, transfer);
   const double omega_p = kTwoPi / tp;
   double sum = 0.0;
+  EnergyBand& band = sea.band[part.first];
+  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+    const double ratio = omega_p / transfer.omega[f];
+    band.node[f] = std::pow(ratio, 5) * std::exp(-1.25 * std::pow(ratio, 4));
+    sum += band.node[f];
+  }
+  for (double& energy : band.node) {
+    energy *= hs * hs / 16.0 / sum;
+  }
   const auto reach = static_cast<std::ptrdiff_t>(half_width);
+  double whole = 0.0;
   for (int pass = 0; pass < 2; ++pass) {
     for (std::ptrdiff_t j = -reach; j <= reach; ++j) {
       const auto d =
           static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from + kNumDirections) + j) % kNumDirections;
       const double spread = std::pow(std::cos(0.5 * kPi * static_cast<double>(j) / double(reach + 1)), 2);
-      for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-        const double ratio = omega_p / transfer.omega[f];
-        const double density = spread * std::pow(ratio, 5) * std::exp(-1.25 * std::pow(ratio, 4));
-        if (pass == 0) {
-          sum += density;
-          continue;
-        }
-        const double energy = density * hs * hs / 16.0 / sum;
-        sea.energy[system][d][f] += energy;
-        sea.total[d][f] += energy;
+      if (pass == 0) {
+        whole += spread;
+      } else {
+        part.factor[part.first][d] = spread / whole;
       }
     }
   }
+  close(sea, std::hypot(sea.hs, hs));
+}
+
+/// Waves of the given energies [m2] from one direction, as the next wave system.
+struct Wave {
+  std::size_t f = 0;
+  double energy = 0.0;
+};
+inline void add_waves(SeaEnergy& sea, const TransferFunctions& transfer, std::size_t from,
+                      std::initializer_list<Wave> waves) {
+  SystemEnergy& part = append_system(sea, transfer);
+  for (const Wave& wave : waves) {
+    sea.band[part.first].node[wave.f] = wave.energy;
+  }
+  part.factor[part.first][from] = 1.0;
+  close(sea, sea.hs);
 }
 
 /// All wave heights times `factor`.
 inline void scale_heights(SeaEnergy& sea, double factor) {
-  for (auto& system : sea.energy) {
-    for (auto& direction : system) {
-      for (double& energy : direction) {
-        energy *= factor * factor;
-      }
-    }
-  }
-  for (auto& direction : sea.total) {
-    for (double& energy : direction) {
+  for (EnergyBand& band : sea.band) {
+    for (double& energy : band.node) {
       energy *= factor * factor;
     }
   }
-  sea.hs *= factor;
+  close(sea, sea.hs * factor);
 }
 
 /// A box of 100 x 16 m, flat keel at z = 0, deck at 10 m; bridge aft on the port side, slamming station at

@@ -11,6 +11,7 @@
 #include "core/base/legendre.hpp"
 #include "core/sea/moments.hpp"
 #include "core/sea/spectrum.hpp"
+#include "tests/support/sea_on_nodes.hpp"
 
 namespace quickstrip {
 namespace {
@@ -44,9 +45,9 @@ SeaState sea_of(std::initializer_list<WaveSystem> systems) {
 
 double energy_of(const SeaEnergy& sea, std::size_t system) {
   double sum = 0.0;
-  for (const auto& direction : sea.energy[system]) {
-    for (const double e : direction) {
-      sum += e;
+  for (std::size_t d = 0; d < kNumDirections; ++d) {
+    for (std::size_t f = 0; f < sea.num_frequencies; ++f) {
+      sum += energy_at(sea, system, d, f);
     }
   }
   return sum;
@@ -54,10 +55,8 @@ double energy_of(const SeaEnergy& sea, std::size_t system) {
 
 double total(const SeaEnergy& sea) {
   double sum = 0.0;
-  for (const auto& direction : sea.total) {
-    for (const double e : direction) {
-      sum += e;
-    }
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    sum += energy_of(sea, s);
   }
   return sum;
 }
@@ -94,21 +93,19 @@ TEST(SeaEnergy, DensitiesBetweenTheNodesHoldTheEnergyOfTheNodes) {
       for (std::size_t f = 0; f < omega.size(); ++f) {
         double expected = 0.0;
         if (f > 0) {
-          const DensityTerms& left = energy.density[s][d][f - 1];
+          const DensityTerms left = density_at(energy, s, d, f - 1);
           expected += (omega[f] - omega[f - 1]) * (left[0] / 2.0 + left[1] / 6.0);
         }
         if (f + 1 < omega.size()) {
-          const DensityTerms& right = energy.density[s][d][f];
+          const DensityTerms right = density_at(energy, s, d, f);
           expected += (omega[f + 1] - omega[f]) * (right[0] / 2.0 - right[1] / 6.0);
         }
-        EXPECT_NEAR(energy.energy[s][d][f], expected, 1e-14) << s << " " << d << " " << f;
+        EXPECT_NEAR(energy_at(energy, s, d, f), expected, 1e-14) << s << " " << d << " " << f;
       }
     }
   }
-  for (const auto& direction : energy.density[2]) {
-    for (const DensityTerms& terms : direction) {
-      EXPECT_EQ(terms, DensityTerms{});
-    }
+  for (const DensityTerms& terms : energy.band[2].density) {
+    EXPECT_EQ(terms, DensityTerms{});
   }
 }
 
@@ -150,9 +147,9 @@ TEST(SeaEnergy, ResponseVarianceConverges) {
   const WaveSystem system = system_from(3.0, 10.0, 123.0, 25.0);
   ASSERT_TRUE(place_on_grid(sea_of({system}), omega, energy));
   double variance = 0.0;
-  for (const auto& direction : energy.total) {
+  for (std::size_t d = 0; d < kNumDirections; ++d) {
     for (std::size_t f = 0; f < omega.size(); ++f) {
-      variance += direction[f] * omega[f] * omega[f];
+      variance += total_energy_at(energy, d, f) * omega[f] * omega[f];
     }
   }
   const double expected = moment_between(*spectrum_of(system), 2, 0.2, 4.0);
@@ -179,7 +176,7 @@ TEST(SeaEnergy, TurnsWithTheSeaBitForBit) {
     const double from_deg = 41.7 + 5.0 * static_cast<double>(k);
     ASSERT_TRUE(place_on_grid(sea_of({system_from(4.0, 9.0, from_deg, 30.0)}), omega, turned));
     for (std::size_t d = 0; d < kNumDirections; ++d) {
-      EXPECT_EQ(turned.total[(d + k) % kNumDirections], first.total[d]);
+      EXPECT_EQ(turned.part[0].factor[0][(d + k) % kNumDirections], first.part[0].factor[0][d]);
     }
   }
 }
@@ -191,7 +188,8 @@ TEST(SeaEnergy, MirroredSeaGivesTheMirroredEnergy) {
   ASSERT_TRUE(place_on_grid(sea_of({system_from(4.0, 9.0, 303.0, 20.0)}), nodes(), port));
   for (std::size_t d = 0; d < kNumDirections; ++d) {
     for (std::size_t f = 0; f < kMaxFrequencies; ++f) {
-      EXPECT_NEAR(port.total[(kNumDirections - d) % kNumDirections][f], starboard.total[d][f], 1e-15);
+      EXPECT_NEAR(total_energy_at(port, (kNumDirections - d) % kNumDirections, f),
+                  total_energy_at(starboard, d, f), 1e-15);
     }
   }
 }
@@ -200,7 +198,7 @@ TEST(SeaEnergy, ASystemBeyondTheNodesKeepsItsHeightOnTheEndNode) {
   static SeaEnergy energy;
   const auto omega = nodes(0.2, 0.8);
   ASSERT_TRUE(place_on_grid(sea_of({system_from(0.2, 2.0, 90.0, 0.0)}), omega, energy));
-  EXPECT_NEAR(energy.total[18][omega.size() - 1], 0.04 / 16.0, 1e-16);
+  EXPECT_NEAR(total_energy_at(energy, 18, omega.size() - 1), 0.04 / 16.0, 1e-16);
   EXPECT_NEAR(energy.lost_tail, 1.0, 1e-6);
 }
 

@@ -1,0 +1,171 @@
+#include "core/response/channel_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+#include "core/base/constants.hpp"
+#include "core/base/direction_transform.hpp"
+#include "core/sea/dispersion.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr std::size_t kHalfCircle = kNumDirections / 2;
+
+bool is_lateral(std::size_t mode) {
+  return mode % 2 == 1;  // sway, roll, yaw
+}
+
+bool is_zero(double x) {
+  return !(x < 0.0) && !(x > 0.0);
+}
+
+// Of a form on one side of the ship.
+struct Coefficient {
+  double displacement = 0.0;
+  double acceleration = 0.0;
+  [[nodiscard]] bool is_absent() const { return is_zero(displacement) && is_zero(acceleration); }
+};
+
+Coefficient coefficient_of(const LinearForm& form, std::size_t mode, bool mirrored) {
+  const double sign = mirrored && is_lateral(mode) ? -1.0 : 1.0;
+  return {sign * form.displacement[mode], sign * form.acceleration[mode]};
+}
+
+// Adds (displacement + omega_e^2 acceleration) times a motion, in place.
+template <std::size_t N, typename Motion>
+void add_motion(const Coefficient& c, const std::array<double, N>& omega_e, const Motion& re_of,
+                const Motion& im_of, std::size_t n, std::array<double, N>& re, std::array<double, N>& im) {
+  for (std::size_t f = 0; f < n; ++f) {
+    const double factor = c.displacement + c.acceleration * (omega_e[f] * omega_e[f]);
+    re[f] += factor * static_cast<double>(re_of[f]);
+    im[f] += factor * static_cast<double>(im_of[f]);
+  }
+}
+
+template <std::size_t N>
+void square(const std::array<double, N>& re, const std::array<double, N>& im, std::size_t n,
+            std::array<double, N>& out) {
+  for (std::size_t f = 0; f < n; ++f) {
+    out[f] = re[f] * re[f] + im[f] * im[f];
+  }
+}
+
+// Between the frequencies, on a straight line.
+void to_points(const TransferFunctions& transfer, const RollPeak& peak, const MotionRow::ByFrequency& values,
+               PointValues& out) {
+  for (const PeakInterval& interval : peak.intervals) {
+    const std::size_t i = interval.node;
+    const double from = transfer.omega[i];
+    const double slope = (static_cast<double>(values[i + 1]) - static_cast<double>(values[i])) /
+                         (transfer.omega[i + 1] - from);
+    for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
+      out[p] = static_cast<double>(values[i]) + slope * (static_cast<double>(peak.omega[p]) - from);
+    }
+  }
+}
+
+}  // namespace
+
+EncounterAngle relative_direction(std::size_t m) {
+  const double mu = kTwoPi * static_cast<double>(solved_direction(m)) / static_cast<double>(kNumDirections);
+  return {is_mirrored(m) ? -mu : mu};
+}
+
+std::size_t solved_direction(std::size_t m) {
+  QS_CHECK(m < kNumDirections);
+  return m <= kHalfCircle ? m : kNumDirections - m;
+}
+
+bool is_mirrored(std::size_t m) {
+  return m > kHalfCircle;
+}
+
+bool is_symmetric(const Channel& channel) {
+  return channel.quantity <= Quantity::kYaw || is_zero(channel.position.y);
+}
+
+void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
+                     Encounters& out) {
+  out.has_low = false;
+  const double slope = transfer.speeds[speed] * std::cos(relative_direction(solved_m).radians);
+  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+    out.frequency[f] = transfer.omega[f] - transfer.wave_number[f] * slope;
+    const bool is_low = std::fabs(out.frequency[f]) < transfer.encounter_floor[f];
+    out.low[f] = is_low ? 1.0 : 0.0;
+    out.has_low = out.has_low || is_low;
+  }
+}
+
+void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
+                        IncidentWave& out) {
+  QS_CHECK(is_zero(position.y));
+  const double along = position.x * std::cos(relative_direction(solved_m).radians);
+  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+    const double lag = transfer.wave_number[f] * along;
+    out.re[f] = std::cos(lag);
+    out.im[f] = -std::sin(lag);
+  }
+}
+
+void node_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
+                   const Channel& channel, const Encounters& encounters, const IncidentWave& wave,
+                   NodeValues& out) {
+  const std::size_t n = transfer.num_frequencies;
+  const MotionRow& row = transfer.row[speed][solved_direction(m)];
+  NodeValues re{};
+  NodeValues im{};
+  if (channel.form.wave > 0.0) {
+    re = wave.re;
+    im = wave.im;
+  }
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    const Coefficient c = coefficient_of(channel.form, mode, is_mirrored(m));
+    if (!c.is_absent()) {
+      add_motion(c, encounters.frequency, row.re[mode], row.im[mode], n, re, im);
+    }
+  }
+  square(re, im, n, out);
+}
+
+void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
+                    const Channel& channel, PointValues& out) {
+  QS_CHECK(is_zero(channel.form.wave));
+  const std::size_t solved_m = solved_direction(m);
+  const RollPeak& peak = transfer.peak[speed][solved_m];
+  const MotionRow& row = transfer.row[speed][solved_m];
+  PointValues omega_e{};
+  list_point_encounters(transfer, speed, solved_m, omega_e);
+  PointValues re{};
+  PointValues im{};
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    const Coefficient c = coefficient_of(channel.form, mode, is_mirrored(m));
+    if (c.is_absent()) {
+      continue;
+    }
+    if (is_lateral(mode)) {
+      add_motion(c, omega_e, peak.re[mode / 2], peak.im[mode / 2], peak.num_points, re, im);
+      continue;
+    }
+    PointValues re_of{};
+    PointValues im_of{};
+    to_points(transfer, peak, row.re[mode], re_of);
+    to_points(transfer, peak, row.im[mode], im_of);
+    add_motion(c, omega_e, re_of, im_of, peak.num_points, re, im);
+  }
+  square(re, im, peak.num_points, out);
+}
+
+void list_point_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
+                           PointValues& out) {
+  const RollPeak& peak = transfer.peak[speed][solved_m];
+  const EncounterAngle mu = relative_direction(solved_m);
+  const double slope = transfer.speeds[speed] * std::cos(mu.radians);
+  for (std::size_t p = 0; p < peak.num_points; ++p) {
+    const auto omega = static_cast<double>(peak.omega[p]);
+    out[p] = omega - wave_number(omega, transfer.gravity) * slope;
+  }
+}
+
+}  // namespace quickstrip

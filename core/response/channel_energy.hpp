@@ -1,0 +1,66 @@
+// |H|^2 of a channel in the waves of one relative direction at one speed: at the wave frequencies, and at the
+// points of the roll peak between them. What the cycle spends its time on: structure of arrays over
+// frequency, a few multiply-adds a motion, no branches inside.
+//
+// Relative direction m = 0 ... kNumDirections - 1 is mu = 2 pi m / kNumDirections; beyond half a turn it is
+// the mirror image of the other side of the ship. Relative motion is watched on the centre line, where both
+// sides see the same incident wave.
+// At the points of the peak, surge, heave and pitch lie on a straight line between the frequencies: they do
+// not resound there.
+// Cost: (motions in the form) x 6 + 3 flops a frequency.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/angles.hpp"
+#include "core/base/capacity.hpp"
+#include "core/response/watch.hpp"
+#include "core/strip/transfer_functions.hpp"
+
+namespace quickstrip {
+
+/// mu of direction index m of the full circle, in (-pi, pi]: 2 pi m / kNumDirections.
+EncounterAngle relative_direction(std::size_t m);
+
+/// Index into the solved directions for m; the other side of the ship is the mirror image.
+std::size_t solved_direction(std::size_t m);
+bool is_mirrored(std::size_t m);
+
+/// |H|^2 the same from both sides of the ship.
+bool is_symmetric(const Channel& channel);
+
+using NodeValues = std::array<double, kMaxFrequencies>;
+using PointValues = std::array<double, kMaxPeakPoints>;
+
+/// How the waves of one direction are met, by frequency.
+struct Encounters {
+  NodeValues frequency{};  // omega_e, signed [rad/s]
+  NodeValues low{};        // 1 below the floor, else 0
+  bool has_low = false;
+};
+void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
+                     Encounters& out);
+
+/// The incident wave at a position on the centre line, by frequency, times e^{i omega_e t}.
+struct IncidentWave {
+  NodeValues re{};
+  NodeValues im{};
+};
+void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
+                        IncidentWave& out);
+
+/// At the wave frequencies. `wave`: at the channel's position; read only where the form has a wave.
+void node_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
+                   const Channel& channel, const Encounters& encounters, const IncidentWave& wave,
+                   NodeValues& out);
+
+/// At the points of the roll peak; for channels without incident wave.
+void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
+                    const Channel& channel, PointValues& out);
+
+/// omega_e at the points of the peak.
+void list_point_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
+                           PointValues& out);
+
+}  // namespace quickstrip

@@ -1,0 +1,33 @@
+// One channel in the waves of one relative direction at one speed, integrated over the bands of the sea: the
+// step that the sweep of a speed and the response of one cell have in common.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "core/response/channel_energy.hpp"
+#include "core/response/peak_terms.hpp"
+#include "core/sea/sea_energy.hpp"
+
+namespace quickstrip {
+
+/// What of |H|^2 is integrated: itself, times |omega_e|, times omega_e^2, or its part below the
+/// encounter-frequency floor.
+enum class Moment : std::uint8_t { kZeroth, kFirst, kSecond, kLowEncounter };
+
+struct ChannelValues {
+  NodeValues nodes{};
+  PointValues points{};
+  bool has_points = false;
+};
+
+/// |H|^2 at frequencies and, where the channel feels roll, at the points of the peak.
+void list_values(const TransferFunctions& transfer, std::size_t speed, std::size_t m, const Channel& channel,
+                 const Encounters& encounters, const IncidentWave& wave, ChannelValues& out);
+
+/// Integral over each band of the sea, out[b].
+void integrate_moment(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
+                      const Encounters& encounters, const SeaEnergy& sea, Moment moment,
+                      const ChannelValues& values, std::span<double> out);
+
+}  // namespace quickstrip

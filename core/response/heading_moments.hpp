@@ -1,0 +1,71 @@
+// Moments of the channels of a watch on every heading, at one speed: what the cycle does once a speed.
+//
+// A channel's |H|^2 is integrated over each band of the sea at every relative direction; then its variance on
+// all headings is a circular convolution with what each wave system takes of the band: a product in the
+// Fourier space of direction (base/direction_transform.hpp). Nothing is folded into encounter frequency. A
+// channel on the centre line is the same from both sides: half the directions do.
+// Work a channel, speed and moment: 37 or 72 directions x (frequencies + bands) + 685 x bands + 1,400 x
+// systems multiply-adds at 72 directions. It depends on the sea only through the number of its bands and
+// systems: a long-crested sea takes as long as one from all round. Expected error: rounding, 1e-15 of the
+// largest variance on any heading; what is below kRounding of that is zero. Sums run in a fixed order: same
+// bits on every run. Memory: the workspace, 0.9 MB: static.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/capacity.hpp"
+#include "core/base/direction_transform.hpp"
+#include "core/response/direction_response.hpp"
+#include "core/response/watch.hpp"
+#include "core/sea/sea_energy.hpp"
+#include "core/strip/transfer_functions.hpp"
+
+namespace quickstrip {
+
+/// Of the largest variance on any heading: below it lies the rounding of the transforms.
+inline constexpr double kRounding = 1e-13;
+
+/// What is wanted of each channel: nothing; its variance; also the part below the encounter-frequency floor.
+/// The second moment comes with every channel of relative motion that is wanted.
+enum class Need : std::uint8_t { kNone, kVariance, kVarianceAndLowEncounter };
+using Needs = std::array<Need, kMaxChannels>;
+
+using ByHeading = std::array<double, kNumDirections>;
+
+/// Indexed by heading 2 pi h / kNumDirections last.
+struct HeadingMoments {
+  std::array<std::array<ByHeading, kMaxWaveSystems>, kMaxChannels> m0_by_system{};
+  std::array<ByHeading, kMaxChannels> m0{};
+  std::array<ByHeading, kMaxChannels> m2{};
+  std::array<ByHeading, kMaxChannels> m0_low_encounter{};
+  ByHeading low_encounter_energy{};  // of the waves themselves [m2]
+};
+
+/// Scratch; what does not depend on speed is filled by prepare().
+struct SweepWorkspace {
+  std::array<std::array<IncidentWave, kNumSolvedDirections>, kMaxSlammingStations + kMaxFreeboardPoints>
+      wave{};
+  std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
+  std::array<Encounters, kNumSolvedDirections> encounters{};
+  HalfCircle<kBandWidth> even{};  // integrals by direction and band, and their transforms
+  HalfCircle<kBandWidth> odd{};
+  HalfCircle<kBandWidth> cosine{};
+  HalfCircle<kBandWidth> sine{};
+  HalfCircle<kSystemWidth> product_cosine{};  // of integrals and factors, by wave number and system
+  HalfCircle<kSystemWidth> product_sine{};
+  HalfCircle<kSystemWidth> part_even{};
+  HalfCircle<kSystemWidth> part_odd{};
+  std::array<ByHeading, kMaxWaveSystems> by_system{};
+};
+
+/// Once a cycle.
+void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const Needs& needs,
+                   SweepWorkspace& work);
+
+/// Fills what is needed; the rest keeps what it was. `counts_wave_energy`: low_encounter_energy too.
+void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
+                          const Needs& needs, const SeaEnergy& sea, bool counts_wave_energy,
+                          SweepWorkspace& work, HeadingMoments& out);
+
+}  // namespace quickstrip
