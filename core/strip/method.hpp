@@ -15,6 +15,11 @@ enum class DiffractionLoads : std::uint8_t {
   kClassic,  // equivalent accelerations and velocities alone [Journee1992] §3
 };
 
+enum class BeamLoads : std::uint8_t {
+  kRadiatedWave,      // of kHaskind: sway loads in phase with the radiated wave, speed terms of yaw and pitch
+  kEquivalentMotion,  // in phase with the equivalent motion's load, no speed terms: what others program
+};
+
 enum class SurgeTerms : std::uint8_t {
   kFull,         // potential added mass in surge
   kInertiaOnly,  // a11 = b11 = 0
@@ -37,6 +42,7 @@ struct StripMethod {
   SurgeTerms surge = SurgeTerms::kFull;
   LowEncounterRule low_encounter = LowEncounterRule::kFloor;
   WaveContour contour = WaveContour::kOffsets;
+  BeamLoads beam_loads = BeamLoads::kRadiatedWave;
 };
 
 /// The paper's own setting, `--paper`.

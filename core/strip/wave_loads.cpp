@@ -5,6 +5,7 @@
 
 #include "core/sea/dispersion.hpp"
 #include "core/strip/froude_krilov.hpp"
+#include "core/strip/sway_load_phase.hpp"
 
 namespace quickstrip {
 namespace {
@@ -78,6 +79,7 @@ void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection
   SectionHydrodynamics section;
   section_hydrodynamics(hull, omega, section);
   const double k = wave_number(omega, hull.gravity);
+  const bool is_radiated = hull.method.beam_loads == BeamLoads::kRadiatedWave;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     // All on the Lewis form that a and b belong to: then the correction vanishes in long waves, term by term.
     const FroudeKrilov fk = froude_krilov(hull.lewis_contour[i].view(), 0.5 * hull.lewis[i].breadth,
@@ -92,7 +94,7 @@ void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection
         fk.heave + Complex(-omega * omega * section[kA33][i], omega * section[kB33][i]) * fk.heave_factor;
 
     const double h2 = haskind_amplitude(hull, section[kB22][i], omega);
-    const Complex x2h = std::abs(x2) > 0.0 ? x2 / std::abs(x2) * h2 : Complex(0.0);
+    const Complex x2h = std::polar(h2, is_radiated ? sway_load_phase(hull.lewis[i], k) : std::arg(x2));
     const double lever = section[kB22][i] > 0.0 ? section[kB24][i] / section[kB22][i] : 0.0;
     const double h3 = haskind_amplitude(hull, section[kB33][i], omega);
     const double r = std::clamp(fk.heave - omega * omega * section[kA33][i] * fk.heave_factor, -h3, h3);
@@ -189,6 +191,15 @@ std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field
   const std::array<double, 6> weight = {0.0, lateral, 1.0, lateral, 1.0, lateral};
   for (std::size_t i = 0; i < 6; ++i) {
     load[i] += weight[i] * field.beam_correction[i];
+  }
+  if (hull.method.beam_loads == BeamLoads::kRadiatedWave) {
+    // The correction is a diffraction load, so its lever is that of [STF1970], x + V / (i omega_e). With the
+    // weight it stays finite where omega_e vanishes; heave's square root over omega needs a second guard of
+    // the long-wave limit.
+    const Complex lever = lateral * speed / (kI * omega_e);
+    const double kb = wave_number(field.omega, hull.gravity) * hull.breadth / 0.2;
+    load[4] -= lever * (1.0 - std::exp(-kb * kb)) * field.beam_correction[2];
+    load[5] += lever * field.beam_correction[1];
   }
   return load;
 }

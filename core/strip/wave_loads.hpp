@@ -1,6 +1,7 @@
 // First-order wave loads on the restrained ship, about G, per metre of wave amplitude: Froude-Krilov loads on
 // the contour, diffraction loads by equivalent accelerations and velocities [Journee1992] §3 (formulas §6),
-// optionally corrected in beam seas so that they obey the Haskind relation.
+// optionally corrected in beam seas so that they obey the Haskind relation: sway and roll in amplitude and
+// phase (sway_load_phase.hpp), heave in amplitude.
 //
 // What does not depend on speed is gathered once per (omega, mu) in a WaveField; loads at a speed are then
 // dot products over the sections. Assumptions: deep water, wave of small steepness, strips independent of

@@ -273,6 +273,8 @@ SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_mul
   const double waterline = kappa * (1.0 + a1 + a3);
   const Complex heave_phase = std::polar(1.0, waterline);
   const Complex sway_phase = std::polar(1.0, waterline - 0.25 * kPi);
+  // Taken off its waterline's phase first: what is left lies between 0 and pi/2.
+  solution.sway_phase_lag = std::arg(sway.strength[0] * std::polar(1.0, waterline)) - waterline;
   solution.h3 = amplitude(solution.damping33, heave.strength[0] * heave_phase);
   solution.h2 = amplitude(solution.damping22, sway.strength[0] * sway_phase);
   solution.h4 = amplitude(solution.damping44, sway.strength[1] * sway_phase);

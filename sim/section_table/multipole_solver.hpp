@@ -30,6 +30,9 @@ struct SectionSolution {
   double h2 = 0.0;
   double h4 = 0.0;
   double h3 = 0.0;
+  // By how much the load of a beam wave lags behind that of a long one (pi/2 ahead of the crest at O), rad:
+  // the phase of the dipole, which by the Haskind relation is the load's.
+  double sway_phase_lag = 0.0;
   // The same magnitudes from the far field of the source (dipole) instead of the pressure on the hull.
   double far_field2 = 0.0;
   double far_field4 = 0.0;

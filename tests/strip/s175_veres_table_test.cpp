@@ -29,17 +29,17 @@ struct Limits {
   std::array<double, 6> percent;  // surge ... yaw
 };
 
-// Strip theory by Lewis sections against true sections with diffraction: a few per cent, more for yaw and in
+// Strip theory by Lewis sections against true sections with diffraction: a few per cent, more in
 // waves from astern at speed, where the frequency of encounter is low. Yaw in beam seas at rest is what is
-// left of a moment that nearly cancels between the ends, and hangs on their true sections.
+// left of a moment that nearly cancels between the ends: it hangs on the phase of each section's load.
 constexpr std::array<Limits, 8> kLimits = {{
     {0, 180, {1.5, kNone, 2.0, kNone, 4.0, kNone}},
     {0, 150, {1.5, 2.5, 2.0, 3.5, 4.0, 4.0}},
     {0, 30, {1.5, 2.5, 2.0, 3.5, 4.0, 4.0}},
-    {0, 90, {kNone, 2.5, 2.0, 3.5, kNone, 14.0}},
+    {0, 90, {kNone, 2.5, 2.0, 3.5, kNone, 9.0}},
     {20, 180, {1.0, kNone, 2.5, kNone, 2.5, kNone}},
     {20, 150, {1.0, 2.0, 2.5, 5.0, 2.5, 4.0}},
-    {20, 90, {kNone, 2.0, 3.0, 5.0, kNone, kNone}},
+    {20, 90, {kNone, 2.0, 3.0, 5.0, kNone, 4.0}},
     {20, 30, {3.0, 15.0, 4.0, 10.0, 11.0, 13.0}},
 }};
 
@@ -81,7 +81,7 @@ TEST(S175AgainstVeres, RootMeanSquareDeviationsOfAllMotionsAt0And20KnotsAreWithi
     EXPECT_LT(curve.rms_percent, limit) << name << " at " << curve.speed_kn << " kn, " << curve.mu_deg;
     EXPECT_GE(curve.num_frequencies, 9u);
   }
-  EXPECT_EQ(num_judged, 37u);
+  EXPECT_EQ(num_judged, 38u);
 }
 
 // The limits above can be missed: without the Haskind correction beam seas are.
