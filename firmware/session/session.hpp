@@ -86,6 +86,8 @@ class Session {
 
   /// `now` between 1970 and 2200 (is_time); may be before that of the last cycle.
   void cycle(std::int64_t now, Outbox& outbox);
+  /// For a replay that follows a recorded run from its middle: the next cycle is number `seq`.
+  void number_next_cycle(std::int32_t seq) { cycle_ = seq - 1; }
 
   [[nodiscard]] bool is_rebuild_due() const { return advisor_.is_rebuild_due(); }
   /// Call after the cycle that said so. A refusal is told by the next cycles.
@@ -97,6 +99,8 @@ class Session {
   /// What the core gave in the last cycle; nullptr before the first.
   [[nodiscard]] const StepOutput* output() const { return output_; }
   [[nodiscard]] const Inputs& inputs() const { return inputs_; }
+  /// Of the hull and the loading in force, as advice carries it.
+  [[nodiscard]] std::int64_t digest_of_hull() const { return hull_digest_; }
 
  private:
   Conversion count_measured(Input input, const Conversion& conversion, std::int64_t utime, std::int64_t now);

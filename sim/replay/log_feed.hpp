@@ -26,11 +26,14 @@ bool is_input(std::string_view name);
 class LogFeed {
  public:
   explicit LogFeed(std::string prefix) : prefix_(std::move(prefix)) {}
-  Fed feed(const LogEvent& event, std::int64_t now, Session& session);
+  Fed feed(const LogEvent& event, std::int64_t now, Session& session, InputUse use = InputUse::kLive);
+  /// Whether `inputs` would take an own ship or a loading; they stay as they are.
+  bool is_acceptable(const LogEvent& event, std::int64_t now, const Inputs& inputs);
 
  private:
   template <typename Message>
-  Fed take(const LogEvent& event, std::int64_t now, Input input, Message& message, Session& session);
+  Fed take(const LogEvent& event, std::int64_t now, Input input, Message& message, Session& session,
+           InputUse use);
 
   /// No cycle of its own: nothing depends on it.
   template <typename Message>

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <thread>
 
 #include "msgs/files/printable.hpp"
 #include "sim/replay/cycle_times.hpp"
 #include "sim/replay/event_stream.hpp"
 #include "sim/replay/log_feed.hpp"
+#include "sim/replay/pace.hpp"
 
 namespace quickstrip {
 namespace {
@@ -44,25 +44,6 @@ class LogOutbox : public Outbox {
  private:
   LcmLogWriter* log_;
   std::string prefix_;
-};
-
-/// Keeps log time from running ahead of the wall clock at the factor asked for.
-class Pace {
- public:
-  explicit Pace(double speed) : speed_(speed) {}
-  void wait(std::int64_t now) {
-    if (!(speed_ > 0.0)) {
-      return;
-    }
-    first_ = first_ == 0 ? now : first_;
-    const std::chrono::duration<double> offset(seconds_between(first_, now) / speed_);
-    std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(offset));
-  }
-
- private:
-  double speed_;
-  std::int64_t first_ = 0;
-  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "msgs/files/ship_files.hpp"
 #include "sim/replay/advice_table.hpp"
 #include "sim/replay/publish.hpp"
+#include "sim/replay/recorded_run.hpp"
 #include "sim/sim_tool/commands.hpp"
 
 namespace quickstrip::sim_tool {
@@ -25,6 +26,7 @@ struct Options {
   std::string speed = "max";
   std::string out;
   std::string csv;
+  std::string recorded = "check";
   bool publish = false;
   PublishOptions far;
   ReplayOptions replay;
@@ -108,36 +110,7 @@ void run_published(Options options) {
              figures.num_cycles, figures.num_answers);
 }
 
-void run(Options options) {
-  options.replay.speed = factor(options.speed);
-  options.session.method = options.method.method();
-  options.session.cycle_period_s = options.replay.cycle_period_s;
-  options.session.log_clock = true;
-  LcmLogReader log;
-  require(log.open(options.log));
-  const auto files = std::make_unique<ShipFiles>();
-  require(read_ship_files(options.hull, options.limits, *files));
-  options.session.profile = files->profile;
-  options.session.version = Name(QUICKSTRIP_VERSION);
-  const auto session = std::make_unique<Session>();
-  if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
-    throw InputError{refused_by_core(options.hull, status.error())};
-  }
-  LcmLogWriter out;
-  if (!options.out.empty()) {
-    require(out.open(options.out));
-  }
-  Table table(options.csv);
-  table.write(advice_table_header());
-  ReplayFigures figures;
-  const auto line = [&](std::int64_t) {
-    table.write(advice_table_line(session->advice(), summary(*session->output())));
-  };
-  require(replay_log(log, *session, options.replay, options.out.empty() ? nullptr : &out, line, figures));
-  if (!options.out.empty()) {
-    require(out.finish());
-  }
-  table.finish();
+void tell(const ReplayFigures& figures) {
   fmt::print(
       stderr,
       "{}{} events, {} cycles ({} without advice), {} refused, {} not ours, {} damaged places; {:.1f} s "
@@ -147,13 +120,86 @@ void run(Options options) {
       figures.slowest_cycle_s);
 }
 
+/// Throws InputError at a difference.
+void judge(const Options& options, const RecordedFigures& recorded) {
+  if (options.recorded != "check") {
+    return;
+  }
+  const std::uint64_t num_repeated = recorded.num_advice - recorded.num_beyond_log;
+  fmt::print(stderr, "{} of {} recorded advice messages reproduced bit for bit, {} of {} grids{}\n",
+             recorded.num_same_advice, num_repeated, recorded.num_same_grids, recorded.num_grids,
+             recorded.num_beyond_log == 0
+                 ? std::string()
+                 : fmt::format("; {} more rest on inputs from before the log", recorded.num_beyond_log));
+  if (num_repeated == 0) {
+    throw InputError{options.log + ": no recorded advice can be repeated: their inputs are not in the log"};
+  }
+  if (!recorded.first_difference.empty()) {
+    throw InputError{fmt::format(
+        "{}: first difference: {}; --recorded follow does not compare, ignore takes the inputs alone",
+        options.log, recorded.first_difference)};
+  }
+}
+
+void run(Options options) {
+  options.replay.speed = factor(options.speed);
+  options.session.method = options.method.method();
+  options.session.cycle_period_s = options.replay.cycle_period_s;
+  options.session.log_clock = true;
+  RecordedAdvisor recorded_advisor;
+  if (options.recorded != "ignore") {
+    require(find_recorded_advisor(options.log, options.replay.prefix, recorded_advisor));
+  }
+  if (recorded_advisor.has_advice) {
+    options.session.cycle_period_s = recorded_advisor.cycle_period_s;
+    options.session.source_id = recorded_advisor.source_id;
+  }
+  LcmLogReader log;
+  require(log.open(options.log));
+  const auto files = std::make_unique<ShipFiles>();
+  require(read_ship_files(options.hull, options.limits, *files));
+  options.session.profile = files->profile;
+  options.session.version = Name(QUICKSTRIP_VERSION);
+  const auto session = std::make_unique<Session>();
+  const auto configure = [&] { return session->configure(files->hull, files->criteria, options.session); };
+  if (const Status status = configure(); !status) {
+    throw InputError{refused_by_core(options.hull, status.error())};
+  }
+  LcmLogWriter out;
+  if (!options.out.empty()) {
+    require(out.open(options.out));
+  }
+  Table table(options.csv);
+  table.write(advice_table_header());
+  ReplayFigures figures;
+  RecordedFigures recorded;
+  LcmLogWriter* const out_or_none = options.out.empty() ? nullptr : &out;
+  const auto line = [&](std::int64_t) {
+    table.write(advice_table_line(session->advice(), summary(*session->output())));
+  };
+  if (recorded_advisor.has_advice) {
+    require(
+        replay_recorded_run(log, *session, options.replay, configure, out_or_none, line, figures, recorded));
+  } else {
+    require(replay_log(log, *session, options.replay, out_or_none, line, figures));
+  }
+  if (!options.out.empty()) {
+    require(out.finish());
+  }
+  table.finish();
+  tell(figures);
+  if (recorded_advisor.has_advice) {
+    judge(options, recorded);
+  }
+}
+
 }  // namespace
 
 void add_replay(CLI::App& app) {
   CLI::App* const command = app.add_subcommand(
       "replay",
-      "Runs the advisor over a log, at the log's time: one cycle per change of an input and per "
-      "cycle period");
+      "Runs the advisor over a log, at the log's time: the recorded cycles where the log holds advice, else "
+      "one cycle per change of an input and per cycle period");
   const auto options = std::make_shared<Options>();
   command->add_option("LOG", options->log, "LCM log")->required();
   command->add_option("--hull", options->hull, "Hull file; computes here, by the live process's own code");
@@ -163,10 +209,21 @@ void add_replay(CLI::App& app) {
       "speed max in step with its answers");
   command->add_option("--url", options->far.url, "With --publish: LCM URL")->capture_default_str();
   command->add_option("--limits", options->limits, "Limits file; default NORDFORSK 1987 for merchant ships");
+  command
+      ->add_option(
+          "--recorded", options->recorded,
+          "What to do with advice in the log (QS_ADVICE, lcm-logger's or our own). check: run the same "
+          "cycles on the inputs that each advice names, compare advice and grids byte for byte, and exit "
+          "1 at a difference; follow: the same cycles, not compared (another hull, other limits); "
+          "ignore: as if the log held inputs alone")
+      ->check(CLI::IsMember({"check", "follow", "ignore"}))
+      ->capture_default_str();
   command->add_option("--speed", options->speed, "Log seconds a second, or max")->capture_default_str();
   command->add_option("--out", options->out, "LCM log of the inputs and of what the advisor says");
   command->add_option("--csv", options->csv, "One line per advice; - for standard output");
-  command->add_option("--cycle-s", options->replay.cycle_period_s, "Cycle period in log time")
+  command
+      ->add_option("--cycle-s", options->replay.cycle_period_s,
+                   "Cycle period in log time; that of the recorded advisor where its cycles are followed")
       ->check(CLI::Range(0.01, 86400.0))
       ->capture_default_str();
   StaleAfter& stale = options->session.stale_after;
