@@ -80,23 +80,28 @@ voyage() { # voyage START TURN END: seconds since the epoch
   printf '[[leg]]\nfrom_utc = %s\nheading_deg = 110.0\nspeed_kn = 12.0\n' "$(utc "$2")"
 }
 
-# The machine's clock: inputs of now, a cycle each 0.4 s whatever comes; the ages are the live ones.
+send_now() { # send_now SECONDS: inputs of now, by the machine's clock; another course half-way, another sea later
+  local now
+  now=$(($(date +%s) + 1))
+  voyage "$now" $((now + $1 / 2)) $((now + $1)) >"$work/now.voyage.toml"
+  sea_of_two_spectra "$(utc "$now")" "$(utc $((now + $1 * 2 / 3)))" >"$work/now.sea"
+  "$sim" log --sea "$work/now.sea" --voyage "$work/now.voyage.toml" --own-ship-period-s 0.7 --out "$work/now.in"
+  "$sim" replay "$work/now.in" --publish --speed 1 --url "$url" 2>"$work/publish.err"
+  sleep 1
+}
+
+# The machine's clock: a cycle each 0.4 s whatever comes; the ages are the live ones.
 start_advisor system --clock system --cycle-s 0.4
 start_logger "$work/system.log"
-now=$(($(date +%s) + 1))
-voyage "$now" $((now + 4)) $((now + 9)) >"$work/now.voyage.toml"
-sea_of_two_spectra "$(utc "$now")" "$(utc $((now + 6)))" >"$work/now.sea"
-"$sim" log --sea "$work/now.sea" --voyage "$work/now.voyage.toml" --own-ship-period-s 0.7 --out "$work/now.in"
-"$sim" replay "$work/now.in" --publish --speed 1 --url "$url" 2>"$work/publish.err"
-sleep 1
+send_now 9
 stop "$logger_pid"
-check_recorded "$work/system.log" 12
+check_recorded "$work/system.log" 6
 grep -q 'without advice' "$work/system.log.err" || fail "no figures"
 
-# Begun in the middle: the advisor has its inputs already; the sea is sent again, as senders do.
+# Begun in the middle of a run: until the inputs that it holds have been sent again, what the advisor says rests on
+# what the log does not have.
 start_logger "$work/middle.log"
-"$sim" replay "$work/now.in" --publish --speed 3 --url "$url" 2>"$work/publish.err"
-sleep 1
+send_now 6
 stop "$logger_pid"
 logger_pid=
 check_recorded "$work/middle.log" 3
