@@ -97,16 +97,27 @@ Folded fold(const HalfCircle<Width>& in, std::size_t first, double at_ends) {
   return out;
 }
 
-// Sum of circle[k m mod N] rows[m].
-inline Block turn(const std::array<Block, kQuarter + 1>& rows, const Circle& circle, std::size_t k) {
-  Block out{};
+// Sums of circle[k m mod N] rows[m] for two wave numbers: enough sums in flight for the latency of an
+// addition.
+struct Pair {
+  Block first{};
+  Block second{};
+};
+
+inline Pair turn(const std::array<Block, kQuarter + 1>& rows, const Circle& circle, std::size_t k,
+                 std::size_t other) {
+  Pair out;
   std::size_t place = 0;
+  std::size_t other_place = 0;
   for (std::size_t m = 0; m <= kQuarter; ++m) {
     for (std::size_t j = 0; j < kBlock; ++j) {
-      out[j] += circle[place] * rows[m][j];
+      out.first[j] += circle[place] * rows[m][j];
+      out.second[j] += circle[other_place] * rows[m][j];
     }
     place += k;
     place -= place >= kNumDirections ? kNumDirections : 0;
+    other_place += other;
+    other_place -= other_place >= kNumDirections ? kNumDirections : 0;
   }
   return out;
 }
@@ -118,10 +129,17 @@ std::size_t whole_blocks(std::size_t count) {
   return (count + kBlock - 1) / kBlock * kBlock;
 }
 
+// All wave numbers of one parity: k = parity, parity + 2 ... N/2.
 template <std::size_t Width>
-void store(const Block& block, std::size_t k, std::size_t first, HalfCircle<Width>& out) {
-  for (std::size_t j = 0; j < kBlock; ++j) {
-    out[k][first + j] = block[j];
+void turn_all(const std::array<Block, kQuarter + 1>& rows, const Circle& circle, std::size_t parity,
+              std::size_t first, HalfCircle<Width>& out) {
+  for (std::size_t k = parity; k <= kHalf; k += 4) {
+    const std::size_t other = k + 2 <= kHalf ? k + 2 : k;
+    const Pair sums = turn(rows, circle, k, other);
+    for (std::size_t j = 0; j < kBlock; ++j) {
+      out[k][first + j] = sums.first[j];
+      out[other][first + j] = sums.second[j];
+    }
   }
 }
 
@@ -136,11 +154,9 @@ void cosine_transform(const HalfCircle<Width>& in, std::size_t count, HalfCircle
   const std::size_t end = direction_transform::whole_blocks<Width>(count);
   for (std::size_t first = 0; first < end; first += kTransformBlock) {
     const auto folded = direction_transform::fold(in, first, 1.0);
-    for (std::size_t k = 0; k <= direction_transform::kHalf; ++k) {  // cos k(pi - x) = (-1)^k cos kx
-      direction_transform::store(direction_transform::turn(k % 2 == 0 ? folded.sum : folded.difference,
-                                                           direction_transform::kCosine, k),
-                                 k, first, out);
-    }
+    // cos k(pi - x) = (-1)^k cos kx
+    direction_transform::turn_all(folded.sum, direction_transform::kCosine, 0, first, out);
+    direction_transform::turn_all(folded.difference, direction_transform::kCosine, 1, first, out);
   }
 }
 
@@ -151,11 +167,9 @@ void sine_transform(const HalfCircle<Width>& in, std::size_t count, HalfCircle<W
   const std::size_t end = direction_transform::whole_blocks<Width>(count);
   for (std::size_t first = 0; first < end; first += kTransformBlock) {
     const auto folded = direction_transform::fold(in, first, 0.0);
-    for (std::size_t k = 0; k <= direction_transform::kHalf; ++k) {  // sin k(pi - x) = -(-1)^k sin kx
-      direction_transform::store(direction_transform::turn(k % 2 == 0 ? folded.difference : folded.sum,
-                                                           direction_transform::kSine, k),
-                                 k, first, out);
-    }
+    // sin k(pi - x) = -(-1)^k sin kx
+    direction_transform::turn_all(folded.difference, direction_transform::kSine, 0, first, out);
+    direction_transform::turn_all(folded.sum, direction_transform::kSine, 1, first, out);
   }
 }
 

@@ -4,61 +4,74 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/base/static_vector.hpp"
 
 namespace quickstrip {
 namespace {
 
 constexpr std::size_t kHalf = kNumDirections / 2;
 
-/// One channel at one speed, or the waves themselves (null).
+/// One channel at one speed, or the waves themselves (null), and what is wanted of it.
 struct Subject {
   const TransferFunctions& transfer;
   std::size_t speed;
   const Channel* channel;
   std::size_t wave;  // place among the incident waves
   const SeaEnergy& sea;
+  StaticVector<Moment, 3> moments;
+
+  [[nodiscard]] bool has_sides() const { return channel != nullptr && !is_symmetric(*channel); }
 };
 
-void integrate_direction(const Subject& subject, std::size_t m, Moment moment, const SweepWorkspace& work,
-                         ChannelValues& values, std::span<double> out) {
-  const std::size_t solved_m = solved_direction(m);
-  const Encounters& encounters = work.encounters[solved_m];
-  if (moment == Moment::kLowEncounter && !encounters.has_low) {
-    std::fill(out.begin(), out.end(), 0.0);
-    return;
-  }
+using Integrals = std::array<double, kBandWidth>;
+
+void list_values_at(const Subject& subject, std::size_t m, const SweepWorkspace& work,
+                    ChannelValues& values) {
   if (subject.channel != nullptr) {
-    list_values(subject.transfer, subject.speed, m, *subject.channel, encounters,
+    const std::size_t solved_m = solved_direction(m);
+    list_values(subject.transfer, subject.speed, m, *subject.channel, work.encounters[solved_m],
                 work.wave[subject.wave][solved_m], values);
+  }
+}
+
+void integrate_at(const Subject& subject, std::size_t m, Moment moment, const ChannelValues& values,
+                  const SweepWorkspace& work, Integrals& out) {
+  const Encounters& encounters = work.encounters[solved_direction(m)];
+  if (moment == Moment::kLowEncounter && !encounters.has_low) {
+    out.fill(0.0);
+    return;
   }
   integrate_moment(subject.transfer, subject.speed, m, encounters, subject.sea, moment, values, out);
 }
 
-/// Integrals by relative direction and band, transformed. False: an even function, no sine part.
-bool transform_response(const Subject& subject, Moment moment, SweepWorkspace& work) {
-  const std::size_t num_bands = subject.sea.num_bands;
-  const bool has_sides = subject.channel != nullptr && !is_symmetric(*subject.channel);
+/// Integrals by relative direction and band, even and odd in direction.
+void integrate(const Subject& subject, SweepWorkspace& work) {
   ChannelValues values;
+  ChannelValues values_of_other;
   values.nodes.fill(1.0);
-  std::array<double, kBandWidth> other{};
+  Integrals other{};
   for (std::size_t m = 0; m <= kHalf; ++m) {
-    integrate_direction(subject, m, moment, work, values, work.even[m]);
-    if (!has_sides || m == 0 || m == kHalf) {
-      work.odd[m].fill(0.0);
-      continue;
+    const bool has_other = subject.has_sides() && m > 0 && m < kHalf;
+    list_values_at(subject, m, work, values);
+    if (has_other) {
+      list_values_at(subject, kNumDirections - m, work, values_of_other);
     }
-    integrate_direction(subject, kNumDirections - m, moment, work, values, other);
-    for (std::size_t b = 0; b < num_bands; ++b) {
-      const double one = work.even[m][b];
-      work.even[m][b] = 0.5 * (one + other[b]);
-      work.odd[m][b] = 0.5 * (one - other[b]);
+    for (std::size_t i = 0; i < subject.moments.size(); ++i) {
+      Integrals& even = work.even[i][m];
+      Integrals& odd = work.odd[i][m];
+      integrate_at(subject, m, subject.moments[i], values, work, even);
+      if (!has_other) {
+        odd.fill(0.0);
+        continue;
+      }
+      integrate_at(subject, kNumDirections - m, subject.moments[i], values_of_other, work, other);
+      for (std::size_t b = 0; b < subject.sea.num_bands; ++b) {
+        const double one = even[b];
+        even[b] = 0.5 * (one + other[b]);
+        odd[b] = 0.5 * (one - other[b]);
+      }
     }
   }
-  cosine_transform(work.even, num_bands, work.cosine);
-  if (has_sides) {
-    sine_transform(work.odd, num_bands, work.sine);
-  }
-  return has_sides;
 }
 
 /// (C - i S) of the response times (c - i s) of a system's factors, summed over its bands.
@@ -103,18 +116,28 @@ void transform_back(std::size_t num_systems, SweepWorkspace& work) {
   }
 }
 
-/// Leaves the moment by system and heading in the workspace; adds them up.
-void sweep(const Subject& subject, Moment moment, SweepWorkspace& work, ByHeading& total) {
-  const bool has_sides = transform_response(subject, moment, work);
-  for (std::size_t s = 0; s < subject.sea.num_systems; ++s) {
-    multiply(subject.sea.part[s], s, has_sides, work);
+/// Moment i of the subject: by system and heading in the workspace, and all together.
+void convolve(const Subject& subject, std::size_t i, SweepWorkspace& work, ByHeading& total) {
+  const SeaEnergy& sea = subject.sea;
+  cosine_transform(work.even[i], sea.num_bands, work.cosine);
+  if (subject.has_sides()) {
+    sine_transform(work.odd[i], sea.num_bands, work.sine);
   }
-  transform_back(subject.sea.num_systems, work);
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    multiply(sea.part[s], s, subject.has_sides(), work);
+  }
+  transform_back(sea.num_systems, work);
   total.fill(0.0);
-  for (std::size_t s = 0; s < subject.sea.num_systems; ++s) {
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
     for (std::size_t h = 0; h < kNumDirections; ++h) {
       total[h] += work.by_system[s][h];
     }
+  }
+}
+
+void want(Moment moment, bool is_wanted, Subject& subject) {
+  if (is_wanted) {
+    QS_CHECK(subject.moments.push_back(moment));
   }
 }
 
@@ -149,21 +172,30 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
     if (needs[c] == Need::kNone) {
       continue;
     }
-    const Subject subject{transfer, speed, &watch.channels[c], work.wave_of[c], sea};
-    sweep(subject, Moment::kZeroth, work, out.m0[c]);
+    Subject subject{transfer, speed, &watch.channels[c], work.wave_of[c], sea, {}};
+    const bool wants_second = watch.channels[c].form.wave > 0.0;
+    const bool wants_low = needs[c] == Need::kVarianceAndLowEncounter && has_low;
+    want(Moment::kZeroth, true, subject);
+    want(Moment::kSecond, wants_second, subject);
+    want(Moment::kLowEncounter, wants_low, subject);
+    integrate(subject, work);
+    convolve(subject, 0, work, out.m0[c]);
     std::copy_n(work.by_system.begin(), sea.num_systems, out.m0_by_system[c].begin());
-    if (watch.channels[c].form.wave > 0.0) {
-      sweep(subject, Moment::kSecond, work, out.m2[c]);
+    if (wants_second) {
+      convolve(subject, 1, work, out.m2[c]);
     }
-    if (needs[c] == Need::kVarianceAndLowEncounter && has_low) {
-      sweep(subject, Moment::kLowEncounter, work, out.m0_low_encounter[c]);
+    if (wants_low) {
+      convolve(subject, subject.moments.size() - 1, work, out.m0_low_encounter[c]);
     } else {
       out.m0_low_encounter[c].fill(0.0);
     }
   }
   out.low_encounter_energy.fill(0.0);
   if (counts_wave_energy && has_low) {
-    sweep({transfer, speed, nullptr, 0, sea}, Moment::kLowEncounter, work, out.low_encounter_energy);
+    Subject waves{transfer, speed, nullptr, 0, sea, {}};
+    want(Moment::kLowEncounter, true, waves);
+    integrate(waves, work);
+    convolve(waves, 0, work, out.low_encounter_energy);
   }
 }
 

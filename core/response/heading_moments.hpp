@@ -48,9 +48,9 @@ struct SweepWorkspace {
       wave{};
   std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
   std::array<Encounters, kNumSolvedDirections> encounters{};
-  HalfCircle<kBandWidth> even{};  // integrals by direction and band, and their transforms
-  HalfCircle<kBandWidth> odd{};
-  HalfCircle<kBandWidth> cosine{};
+  std::array<HalfCircle<kBandWidth>, 3> even{};  // integrals by moment, direction and band
+  std::array<HalfCircle<kBandWidth>, 3> odd{};
+  HalfCircle<kBandWidth> cosine{};  // their transforms
   HalfCircle<kBandWidth> sine{};
   HalfCircle<kSystemWidth> product_cosine{};  // of integrals and factors, by wave number and system
   HalfCircle<kSystemWidth> product_sine{};

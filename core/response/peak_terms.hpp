@@ -29,7 +29,8 @@ bool feels_roll(const Channel& channel);
 void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,
                      const PointValues& at_points, PeakTerms& out);
 
-/// What each band of the sea brings at one direction: integral of value times band. `terms` may be null.
+/// What each band of the sea brings at one direction: integral of value times band. Values beyond the last
+/// frequency finite; `terms` may be null.
 void integrate_over_bands(const SeaEnergy& sea, const NodeValues& at_nodes, const RollPeak& peak,
                           const PeakTerms* terms, std::span<double> out);
 

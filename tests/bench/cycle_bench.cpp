@@ -1,0 +1,212 @@
+// The cycle: S-175, 72 headings x 25 speeds, 48 frequencies, wave systems with spreading. Percentiles are of
+// single steps in processor time of the thread, because the machine may be shared, and the slowest also by
+// the wall clock; the floor is that of the sums alone (sweep_work.hpp) against what the machine reaches in
+// the same run (machine_peak.hpp).
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "core/advice/nordforsk.hpp"
+#include "core/advisor.hpp"
+#include "tests/bench/machine_peak.hpp"
+#include "tests/bench/sweep_work.hpp"
+#include "tests/support/hulls.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr double kKnot = 1852.0 / 3600.0;
+
+SeaState sea_of(std::size_t num_systems) {
+  SeaState sea;
+  for (std::size_t s = 0; s < num_systems; ++s) {
+    const auto i = static_cast<double>(s);
+    static_cast<void>(sea.systems.push_back({3.0 - 0.3 * i, 7.0 + 2.0 * i, PeriodKind::kPeak,
+                                             WaveFrom{radians(220.0 + 35.0 * i)}, radians(30.0 - 3.0 * i),
+                                             SpectrumShape::kJonswap, 3.3}));
+  }
+  return sea;
+}
+
+// A wave buoy's 47 bands on 72 directions, two crossing systems.
+void fill_measured(DirectionalSpectrum& out) {
+  constexpr std::size_t kBands = 47;
+  for (std::size_t d = 0; d < kNumDirections; ++d) {
+    static_cast<void>(out.directions.push_back(kTwoPi * static_cast<double>(d) / kNumDirections));
+  }
+  for (std::size_t f = 0; f < kBands; ++f) {
+    const double omega = 0.2 + 0.06 * static_cast<double>(f);
+    static_cast<void>(out.frequencies.push_back(omega));
+    for (std::size_t d = 0; d < kNumDirections; ++d) {
+      const double direction = out.directions[d];
+      const auto bump = [&](double peak, double width, double from, double height) {
+        const double x = (omega - peak) / width;
+        return height * std::exp(-x * x) * std::pow(std::cos(0.5 * (direction - from)), 20);
+      };
+      out.density[f][d] = bump(0.5, 0.1, 3.8, 3.0) + bump(0.9, 0.2, 5.2, 1.0);
+    }
+  }
+}
+
+// A criterion never reached for every channel that has none: each is then needed and watched in every cell.
+Criteria every_response(const Hull& hull) {
+  Criteria out = *nordforsk_merchant(hull);
+  const auto add = [&out](Quantity quantity, std::size_t place, Statistic statistic, double limit) {
+    static_cast<void>(out.push_back({.quantity = quantity,
+                                     .place = static_cast<std::uint8_t>(place),
+                                     .statistic = statistic,
+                                     .limit = limit}));
+  };
+  for (const Quantity motion :
+       {Quantity::kSurge, Quantity::kSway, Quantity::kHeave, Quantity::kPitch, Quantity::kYaw}) {
+    add(motion, 0, Statistic::kRms, 1e3);
+  }
+  for (std::size_t p = 0; p < hull.points.size(); ++p) {
+    for (const Quantity acceleration : {Quantity::kLongitudinalAcceleration, Quantity::kLateralAcceleration,
+                                        Quantity::kVerticalAcceleration}) {
+      add(acceleration, p, Statistic::kRms, 1e3);
+    }
+  }
+  return out;
+}
+
+struct Case {
+  Hull hull = test::s175();
+  SeaState sea;
+  DirectionalSpectrum measured;
+  OwnShip ship{Heading{radians(75.0)}, 7.0, false};
+  StepInputs inputs;
+};
+
+std::unique_ptr<Case> make_case(std::size_t num_systems) {
+  auto out = std::make_unique<Case>();
+  out->sea = sea_of(num_systems);
+  fill_measured(out->measured);
+  out->inputs.own_ship = &out->ship;
+  if (num_systems == 0) {
+    out->inputs.spectrum = &out->measured;
+  } else {
+    out->inputs.sea_state = &out->sea;
+  }
+  return out;
+}
+
+double percentile(std::vector<double>& sorted, double share) {
+  const auto last = static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(share * last)];
+}
+
+void run(benchmark::State& state, Case& at, const Criteria& criteria) {
+  const auto advisor = std::make_unique<Advisor>();
+  if (!advisor->configure(at.hull, criteria, StripMethod{})) {
+    state.SkipWithError("the hull or its criteria are refused");
+    return;
+  }
+  std::vector<double> times;
+  double slowest = 0.0;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const double before = bench::processor_seconds();
+    benchmark::DoNotOptimize(advisor->step(at.inputs).advice.present.margin);
+    times.push_back(1e3 * (bench::processor_seconds() - before));
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    slowest = std::max(slowest, took.count());
+  }
+  std::sort(times.begin(), times.end());
+  state.counters["p50_ms"] = percentile(times, 0.50);
+  state.counters["p99_ms"] = percentile(times, 0.99);
+  state.counters["max_ms"] = times.back();
+  state.counters["max_wall_ms"] = slowest;
+  state.counters["MB"] = sizeof(Advisor) * 1e-6;
+}
+
+// Argument: wave systems; 0 for a measured spectrum of 47 bands.
+void StepWithEveryResponse(benchmark::State& state) {
+  const auto at = make_case(static_cast<std::size_t>(state.range(0)));
+  run(state, *at, every_response(at->hull));
+}
+BENCHMARK(StepWithEveryResponse)->Arg(1)->Arg(3)->Arg(6)->Arg(0)->Unit(benchmark::kMillisecond)->MinTime(2);
+
+void StepWithNordforsk(benchmark::State& state) {
+  const auto at = make_case(static_cast<std::size_t>(state.range(0)));
+  run(state, *at, *nordforsk_merchant(at->hull));
+}
+BENCHMARK(StepWithNordforsk)->Arg(3)->Arg(0)->Unit(benchmark::kMillisecond)->MinTime(2);
+
+void StepBySpeeds(benchmark::State& state) {
+  const auto at = make_case(3);
+  at->hull.grid.speed_to = static_cast<double>(state.range(0) - 1) * at->hull.grid.speed_step;
+  at->ship.speed = at->hull.grid.speed_from;
+  run(state, *at, every_response(at->hull));
+}
+BENCHMARK(StepBySpeeds)->Arg(5)->Arg(13)->Arg(25)->Unit(benchmark::kMillisecond);
+
+/// What sweep_grid needs, filled for the S-175 on `num_frequencies` of the hull's own range.
+struct Sweep {
+  Sweep(const Case& at, std::size_t num_frequencies) : criteria(every_response(at.hull)) {
+    static_cast<void>(load(at.hull, at.hull.loading, StripMethod{}, loaded).ok());
+    choose_frequencies(loaded, transfer);
+    std::vector<double> omega;
+    for (std::size_t f = 0; f < num_frequencies; ++f) {
+      const double place =
+          static_cast<double>(f * (kMaxFrequencies - 1)) / static_cast<double>(num_frequencies - 1);
+      omega.push_back(transfer.omega[static_cast<std::size_t>(place)]);
+    }
+    std::vector<double> speeds;
+    for (std::size_t v = 0; v < kMaxSpeeds; ++v) {
+      speeds.push_back(static_cast<double>(v) * kKnot);
+    }
+    is_ready = solve_transfer_functions(loaded, speeds, omega, transfer).ok() &&
+               list_channels(at.hull, at.hull.loading, loaded.hydrostatics, watch).ok();
+    channels = bind_criteria(criteria, watch);
+    is_ready = is_ready && (at.inputs.spectrum != nullptr ? place_on_grid(*at.inputs.spectrum, omega, sea)
+                                                          : place_on_grid(at.sea, omega, sea));
+  }
+  [[nodiscard]] GridInputs inputs() const {
+    return {.transfer = transfer, .watch = watch, .criteria = criteria, .channels = channels, .sea = sea};
+  }
+
+  bool is_ready = false;
+  Criteria criteria;
+  LoadedHull loaded;
+  TransferFunctions transfer;
+  Watch watch;
+  CriteriaChannels channels;
+  SeaEnergy sea;
+  GridWorkspace workspace;
+  Grid grid;
+};
+
+// Arguments: wave systems (0: measured), frequencies.
+void SweepAgainstTheFloor(benchmark::State& state) {
+  const auto at = make_case(static_cast<std::size_t>(state.range(0)));
+  const auto sweep = std::make_unique<Sweep>(*at, static_cast<std::size_t>(state.range(1)));
+  if (!sweep->is_ready) {
+    state.SkipWithError("the hull is refused");
+    return;
+  }
+  const GridInputs inputs = sweep->inputs();
+  double best = 1e9;
+  for (auto _ : state) {
+    const double before = bench::processor_seconds();
+    benchmark::DoNotOptimize(sweep_grid(inputs, sweep->workspace, sweep->grid).ok());
+    best = std::min(best, bench::processor_seconds() - before);
+  }
+  const bench::SweepWork work = bench::sweep_work(inputs);
+  const double flops = bench::peak_flops();
+  const double bytes = bench::peak_read_bytes(static_cast<std::size_t>(work.bytes));
+  state.counters["Mflop"] = work.flops * 1e-6;
+  state.counters["MB_read"] = work.bytes * 1e-6;
+  state.counters["Gflop/s"] = work.flops / best * 1e-9;
+  state.counters["peak_Gflop/s"] = flops * 1e-9;
+  state.counters["share_of_peak"] = work.flops / best / flops;
+  state.counters["floor_ms"] = 1e3 * std::max(work.flops / flops, work.bytes / bytes);
+  state.counters["best_ms"] = 1e3 * best;
+}
+BENCHMARK(SweepAgainstTheFloor)->Args({3, 48})->Args({3, 24})->Args({0, 48})->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace quickstrip

@@ -1,0 +1,75 @@
+// A change of loading: the hull's coefficient table, then every transfer function of the contract's grid (25
+// speeds x 37 solved directions x 48 frequencies, six degrees of freedom, and the points of the roll peak).
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <memory>
+
+#include "core/strip/loaded_hull.hpp"
+#include "core/strip/transfer_functions.hpp"
+#include "tests/support/hulls.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr double kKnot = 1852.0 / 3600.0;
+
+std::array<double, kMaxSpeeds> contract_speeds() {
+  std::array<double, kMaxSpeeds> speeds{};
+  for (std::size_t v = 0; v < speeds.size(); ++v) {
+    speeds[v] = static_cast<double>(v) * kKnot;
+  }
+  return speeds;
+}
+
+// Wigley I of 175 m: any number of stations.
+Hull wigley_ship(std::size_t stations) {
+  return test::scaled(test::wigley_hull(1, stations), 175.0 / 3.0);
+}
+
+void load_and_solve(benchmark::State& state, const Hull& hull) {
+  const auto loaded = std::make_unique<LoadedHull>();
+  const auto transfer = std::make_unique<TransferFunctions>();
+  const auto speeds = contract_speeds();
+  for (auto _ : state) {
+    if (!load(hull, hull.loading, StripMethod{}, *loaded) ||
+        !solve_transfer_functions(*loaded, speeds, *transfer)) {
+      state.SkipWithError("the hull is refused");
+      return;
+    }
+  }
+  std::size_t points = 0;
+  for (const auto& row : transfer->peak) {
+    for (const RollPeak& peak : row) {
+      points += peak.num_points;
+    }
+  }
+  const double solutions = kMaxSpeeds * kNumSolvedDirections * kMaxFrequencies;
+  state.counters["sections"] = static_cast<double>(loaded->num_sections);
+  state.counters["solutions"] = solutions;
+  state.counters["at_roll_peaks"] = static_cast<double>(points);
+  state.counters["s_per_solution"] = benchmark::Counter(
+      solutions, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void ChangeLoadingOfTheS175(benchmark::State& state) {
+  load_and_solve(state, test::s175());
+}
+BENCHMARK(ChangeLoadingOfTheS175)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void ChangeLoadingByStations(benchmark::State& state) {
+  load_and_solve(state, wigley_ship(static_cast<std::size_t>(state.range(0))));
+}
+BENCHMARK(ChangeLoadingByStations)->Arg(24)->Arg(64)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void LoadHull(benchmark::State& state) {
+  const Hull hull = test::s175();
+  const auto loaded = std::make_unique<LoadedHull>();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(load(hull, hull.loading, StripMethod{}, *loaded).ok());
+  }
+}
+BENCHMARK(LoadHull)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace quickstrip
