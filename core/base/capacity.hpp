@@ -27,8 +27,8 @@ struct Host {
   static constexpr std::size_t kMaxFrequencies = 48;
   // The roll peak between the wave frequencies: intervals of one speed and direction that are looked into,
   // and points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
-  static constexpr std::size_t kMaxPeakIntervals = 12;
-  static constexpr std::size_t kMaxPeakPoints = 36;
+  static constexpr std::size_t kMaxPeakIntervals = 14;
+  static constexpr std::size_t kMaxPeakPoints = 48;
   // Encounter frequencies of the loaded hull's coefficient table: three decades, 7.5 % apart, which keeps the
   // parabola between them within 3e-3 of the section table (tests/strip).
   static constexpr std::size_t kNumEncounterNodes = 96;

@@ -133,8 +133,10 @@ MotionTransfer motion_transfer(const LoadedHull& hull, double omega, EncounterAn
   if (haskind) {
     beam_sea_correction(hull, omega, correction);
   }
+  SectionWaves sections;
+  section_waves(hull, omega, mu, sections);
   WaveField field;
-  wave_field(hull, omega, mu, haskind ? &correction : nullptr, field);
+  wave_field(hull, omega, mu, sections, haskind ? &correction : nullptr, field);
   return motion_transfer(hull, field, speed);
 }
 

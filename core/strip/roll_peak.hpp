@@ -7,14 +7,11 @@
 // complement D of the roll equation has Re D = 0 there, and half width at half power |Im D| / |dRe D/domega|.
 // Points: Gauss-Legendre, three a panel, panels no wider than 1.5 (half width + distance from resonance) in
 // |omega_e|, in the intervals where a straight line between the frequencies errs most. Loads between the
-// frequencies: Lagrange through six, coefficients as everywhere.
+// frequencies: Lagrange through six where the wave turns little against the ship from one to the next, else
+// section by section (lateral_loads_between.hpp); coefficients as everywhere.
 // An interval with an end below the encounter-frequency floor is left alone: motions are flat there by rule.
-// Expected error, S-175 (tests/advice/roll_peak_test.cpp): roll variance within 0.9 % in beam and quartering
-// seas down to a ratio of damping of 0.02, where the frequencies alone erred by 20 %. Weak where the third
-// place, a short wave from astern, matters: loads turn by more than a radian from one frequency to the next
-// and their interpolation errs by a quarter, 6 % of the variance at worst.
-// Cost: one solution at each point, about 0.6 us; no state.
-// Source: equations [Journee1992] §2; points and widths are ours.
+// Expected error: tests/advice/roll_peak_test.cpp. Cost: one solution at each point, 0.6 us, or 3 us section
+// by section; no state. Source: equations [Journee1992] §2; points and widths are ours.
 #pragma once
 
 #include <array>
@@ -26,6 +23,7 @@
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/static_vector.hpp"
+#include "core/strip/lateral_loads_between.hpp"
 #include "core/strip/loaded_hull.hpp"
 #include "core/strip/motion_transfer.hpp"
 
@@ -70,7 +68,7 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed);
 /// `omega`: the wave frequencies, at least four, increasing; `encounters` and `loads`: there. False: a
 /// solution is not finite.
 [[nodiscard]] bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed,
-                                   EncounterAngle mu, std::span<const double> omega,
+                                   EncounterAngle mu, const DirectionWaves& waves,
                                    std::span<const Encounter> encounters,
                                    std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out);
 

@@ -17,6 +17,17 @@ constexpr double kLowestFroude = 0.7;   // sqrt(g/L)
 constexpr double kHighestOmega = 2.2;   // rad/s, lower bound of the upper end
 constexpr double kHighestFroude = 6.0;  // sqrt(g/L)
 
+// Nodes a rad/s, but for a factor. Even in ln(omega) they would lie closer than any response needs where the
+// ship follows the wave, and too wide where waves of a third to the whole of her length make her loads swing:
+// there they are even in omega.
+constexpr double kDensityOfMiddle = 1.0;  // per froude frequency
+constexpr double kEndOfMiddle = 5.5;      // froude frequencies: wave length L/5
+
+double node_density(double omega, double froude_frequency) {
+  const double x = omega / (kEndOfMiddle * froude_frequency);
+  return 1.0 / omega + kDensityOfMiddle / froude_frequency / (1.0 + x * x * x * x);
+}
+
 bool is_finite(const MotionTransfer& t) {
   return std::all_of(t.motion.begin(), t.motion.end(),
                      [](const Complex& m) { return std::isfinite(m.real()) && std::isfinite(m.imag()); });
@@ -33,7 +44,8 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
   TransferWorkspace& work = out.workspace;
   WaveField field;
   for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-    wave_field(hull, out.omega[f], mu, haskind ? &work.correction[f] : nullptr, field);
+    section_waves(hull, out.omega[f], mu, work.sections[f]);
+    wave_field(hull, out.omega[f], mu, work.sections[f], haskind ? &work.correction[f] : nullptr, field);
     for (std::size_t v = 0; v < out.num_speeds; ++v) {
       const MotionTransfer solved = motion_transfer(hull, field, out.speeds[v], work.load[v][f]);
       if (!is_finite(solved)) {
@@ -44,12 +56,14 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
     }
   }
   const std::size_t n = out.num_frequencies;
+  const DirectionWaves waves{std::span(out.omega).first(n), std::span(work.sections).first(n),
+                             std::span(work.correction).first(haskind ? n : 0)};
   const bool rolls = m > 0 && m + 1 < kNumSolvedDirections;  // waves from astern and ahead do not
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     out.peak[v][m].clear();
-    if (rolls && !solve_roll_peak(hull, resonances[v], out.speeds[v], mu, std::span(out.omega).first(n),
-                                  std::span(work.encounter[v]).first(n), std::span(work.load[v]).first(n),
-                                  out.peak[v][m])) {
+    if (rolls &&
+        !solve_roll_peak(hull, resonances[v], out.speeds[v], mu, waves, std::span(work.encounter[v]).first(n),
+                         std::span(work.load[v]).first(n), out.peak[v][m])) {
       return Error::kSingular;
     }
   }
@@ -101,10 +115,35 @@ void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
   const double lowest = std::min(kLowestOmega, kLowestFroude * froude_frequency);
   const double highest = std::max(kHighestOmega, kHighestFroude * froude_frequency);
   out.num_frequencies = kMaxFrequencies;
-  for (std::size_t f = 0; f < kMaxFrequencies; ++f) {
-    const double t = static_cast<double>(f) / static_cast<double>(kMaxFrequencies - 1);
-    set_frequency(hull, f, lowest * std::pow(highest / lowest, t), out);
+  // Nodes at equal shares of the integral of their density, by the trapezoidal rule in ln(omega).
+  constexpr std::size_t kSteps = 4096;
+  const double step = std::log(highest / lowest) / static_cast<double>(kSteps);
+  const auto omega_at = [&](std::size_t i) { return lowest * std::exp(step * static_cast<double>(i)); };
+  const auto share_of = [&](std::size_t i) {
+    return 0.5 * step *
+           (omega_at(i) * node_density(omega_at(i), froude_frequency) +
+            omega_at(i + 1) * node_density(omega_at(i + 1), froude_frequency));
+  };
+  double whole = 0.0;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    whole += share_of(i);
   }
+  set_frequency(hull, 0, lowest, out);
+  std::size_t f = 1;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    const double share = share_of(i);
+    for (; f + 1 < kMaxFrequencies; ++f) {
+      const double wanted = whole * static_cast<double>(f) / static_cast<double>(kMaxFrequencies - 1);
+      if (wanted > sum + share) {
+        break;
+      }
+      const double part = (wanted - sum) / share;
+      set_frequency(hull, f, omega_at(i) * std::exp(step * part), out);
+    }
+    sum += share;
+  }
+  set_frequency(hull, kMaxFrequencies - 1, highest, out);
 }
 
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,

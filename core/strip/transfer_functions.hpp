@@ -28,6 +28,7 @@ struct MotionRow {
 
 /// Of one direction at a time.
 struct TransferWorkspace {
+  std::array<SectionWaves, kMaxFrequencies> sections{};
   std::array<BeamSeaCorrection, kMaxFrequencies> correction{};
   std::array<std::array<std::array<Complex, 6>, kMaxFrequencies>, kMaxSpeeds> load{};
   std::array<std::array<Encounter, kMaxFrequencies>, kMaxSpeeds> encounter{};
@@ -50,7 +51,7 @@ struct TransferFunctions {
 /// Stores the six motions.
 void store_motions(const std::array<Complex, 6>& motion, std::size_t f, MotionRow& row);
 
-/// Fills omega and wave_number: kMaxFrequencies geometric nodes whose range follows the hull's size.
+/// Fills the frequencies: kMaxFrequencies nodes whose range and density follow the hull's size.
 void choose_frequencies(const LoadedHull& hull, TransferFunctions& out);
 
 /// Solves the whole grid: speeds [m/s] >= 0, at most kMaxSpeeds. Errors: kTooMany, kSingular. Cost: 44,400

@@ -108,66 +108,155 @@ void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection
   }
 }
 
-void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const BeamSeaCorrection* correction,
-                WaveField& out) {
-  const double k = wave_number(omega, hull.gravity);
-  const double sin_mu = std::sin(mu.radians);
-  const double cos_mu = std::cos(mu.radians);
+namespace {
+
+// Of each section's place: crest there, and beyond the ends of the tapers.
+struct Phases {
+  ComplexSectionValues at{};
+  Complex on_aft;   // from the first section on
+  Complex on_fore;  // from the last
+  double sin_mu = 0.0;
+};
+
+void phases(const LoadedHull& hull, double k, EncounterAngle mu, Phases& out) {
+  const double along = k * std::cos(mu.radians);
+  out.sin_mu = std::sin(mu.radians);
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    out.at[i] = std::polar(1.0, -along * hull.x[i]);
+  }
+  out.on_aft = std::polar(1.0, along * hull.taper_aft);
+  out.on_fore = std::polar(1.0, -along * hull.taper_fore);
+}
+
+// Weighted velocities, plain and times x, and their weights against a slope. `at`: orbital velocity by
+// section.
+void set_velocity(const LoadedHull& hull, const Phases& phase, const ComplexSectionValues& at,
+                  std::array<ComplexSectionValues, 2>& velocity,
+                  std::array<ComplexSectionValues, 2>& velocity_slope) {
+  // At the ends of the tapers: the end section's wave, further on its way.
+  const std::size_t last = hull.num_sections - 1;
+  const double x_aft = hull.x[0] - hull.taper_aft;
+  const double x_fore = hull.x[last] + hull.taper_fore;
+  const EndValues end{phase.on_aft * at[0], phase.on_fore * at[last]};
+  ComplexSectionValues times_x;
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    times_x[i] = hull.x[i] * at[i];
+    velocity[0][i] = hull.weight[i] * at[i];
+    velocity[1][i] = hull.weight[i] * times_x[i];
+  }
+  slope_weights(hull, at, end, velocity_slope[0]);
+  slope_weights(hull, times_x, {x_aft * end.aft, x_fore * end.fore}, velocity_slope[1]);
+}
+
+void set_longitudinal(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
+                      const BeamSeaCorrection* correction, WaveField& out) {
+  ComplexSectionValues velocity;
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    const double x = hull.x[i];
+    const Complex weighted = hull.weight[i] * phase.at[i];
+    const Complex x1 = weighted * kI * sections.surge[i] * (1.0 + hull.surge_added_mass_factor);
+    const Complex x3 = weighted * sections.heave[i];
+    out.froude_krilov[0] += x1;
+    out.froude_krilov[2] += x3;
+    out.froude_krilov[4] += -x * x3 - hull.centroid_below_g[i] * x1;
+    velocity[i] = kI * out.omega * sections.heave_factor[i] * phase.at[i];  // zd_3 = i omega factor
+    if (correction != nullptr) {
+      const Complex dx3 = weighted * phase.sin_mu * phase.sin_mu * correction->heave[i];
+      out.beam_correction[2] += dx3;
+      out.beam_correction[4] -= x * dx3;
+    }
+  }
+  set_velocity(hull, phase, velocity, out.heave_velocity, out.heave_velocity_slope);
+}
+
+void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
+                 const BeamSeaCorrection* correction, WaveField& out) {
+  ComplexSectionValues velocity;
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    const double x = hull.x[i];
+    const Complex weighted = hull.weight[i] * phase.at[i];
+    const Complex x2 = weighted * kI * sections.sway[i];
+    out.froude_krilov[1] += x2;
+    out.froude_krilov[3] += -kI * weighted * sections.roll[i] + (hull.g_height + hull.roll_lever_shift) * x2;
+    out.froude_krilov[5] += x * x2;
+    // zd_2 = i omega (-i sin mu factor).
+    velocity[i] = out.omega * phase.sin_mu * sections.horizontal_factor[i] * phase.at[i];
+    if (correction != nullptr) {
+      const Complex dx2 = weighted * phase.sin_mu * correction->sway[i];
+      out.beam_correction[1] += dx2;
+      out.beam_correction[3] += weighted * phase.sin_mu * correction->roll[i];
+      out.beam_correction[5] += x * dx2;
+    }
+  }
+  set_velocity(hull, phase, velocity, out.sway_velocity, out.sway_velocity_slope);
+}
+
+void start_field(double omega, EncounterAngle mu, WaveField& out) {
   out.omega = omega;
   out.mu = mu;
   out.froude_krilov = {};
   out.beam_correction = {};
-  std::array<ComplexSectionValues, 2> heave_at{};
-  std::array<ComplexSectionValues, 2> sway_at{};
+}
+
+// Oblique weight of the sway, yaw and roll corrections: empirical, chosen on the S-175 (formulas §6).
+double oblique_weight(const WaveField& field, double omega_e) {
+  return std::min(1.0, std::fabs(omega_e) / field.omega);
+}
+
+// The correction is a diffraction load, so its lever is that of [STF1970], x + V / (i omega_e). With the
+// oblique weight it stays finite where omega_e vanishes.
+Complex speed_lever(double omega_e, double speed) {
+  return speed / (kI * omega_e);
+}
+
+void add_lateral_loads(const LoadedHull& hull, const WaveField& field, const SectionHydrodynamics& section,
+                       double omega_e, double speed, std::array<Complex, 6>& load) {
+  const auto sway = [&](std::size_t n, StripQuantity a, StripQuantity b) {
+    return diffraction(hull, section[a], section[b], field.sway_velocity[n], field.sway_velocity_slope[n],
+                       field.omega, omega_e, speed);
+  };
+  const std::array<Complex, 3> diffracted = {sway(0, kA22, kB22), sway(0, kA24, kB24), sway(1, kA22, kB22)};
+  const double weight = oblique_weight(field, omega_e);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t i = 2 * n + 1;
+    load[i] = field.froude_krilov[i] + diffracted[n] + weight * field.beam_correction[i];
+  }
+  if (hull.method.beam_loads == BeamLoads::kRadiatedWave) {
+    load[5] += weight * speed_lever(omega_e, speed) * field.beam_correction[1];
+  }
+}
+
+}  // namespace
+
+void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out) {
+  const double k = wave_number(omega, hull.gravity);
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const FroudeKrilov fk =
         froude_krilov(hull.wave_contour[i].view(), hull.half_breadth[i], hull.density, hull.gravity, k, mu);
-    const double x = hull.x[i];
-    const Complex crest = std::polar(1.0, -k * x * cos_mu);
-    const Complex weighted = hull.weight[i] * crest;
-    const Complex x1 = weighted * kI * fk.surge * (1.0 + hull.surge_added_mass_factor);
-    const Complex x2 = weighted * kI * fk.sway;
-    const Complex x3 = weighted * fk.heave;
-    out.froude_krilov[0] += x1;
-    out.froude_krilov[1] += x2;
-    out.froude_krilov[2] += x3;
-    out.froude_krilov[3] += -kI * weighted * fk.roll + (hull.g_height + hull.roll_lever_shift) * x2;
-    out.froude_krilov[4] += -x * x3 - hull.centroid_below_g[i] * x1;
-    out.froude_krilov[5] += x * x2;
+    out.surge[i] = fk.surge;
+    out.sway[i] = fk.sway;
+    out.heave[i] = fk.heave;
+    out.roll[i] = fk.roll;
+    out.heave_factor[i] = fk.heave_factor;
+    out.horizontal_factor[i] = fk.horizontal_factor;
+  }
+}
 
-    // Orbital velocities: zd_3 = i omega factor, zd_2 = i omega (-i sin mu factor).
-    heave_at[0][i] = kI * omega * fk.heave_factor * crest;
-    sway_at[0][i] = omega * sin_mu * fk.horizontal_factor * crest;
-    heave_at[1][i] = x * heave_at[0][i];
-    sway_at[1][i] = x * sway_at[0][i];
-    if (correction != nullptr) {
-      const Complex dx2 = weighted * sin_mu * correction->sway[i];
-      const Complex dx3 = weighted * sin_mu * sin_mu * correction->heave[i];
-      out.beam_correction[1] += dx2;
-      out.beam_correction[2] += dx3;
-      out.beam_correction[3] += weighted * sin_mu * correction->roll[i];
-      out.beam_correction[4] -= x * dx3;
-      out.beam_correction[5] += x * dx2;
-    }
-  }
-  // At the ends of the tapers: the end section's wave, further on its way.
-  const std::size_t last = hull.num_sections - 1;
-  const Complex on_aft = std::polar(1.0, k * hull.taper_aft * cos_mu);
-  const Complex on_fore = std::polar(1.0, -k * hull.taper_fore * cos_mu);
-  const std::array<double, 2> arm_aft = {1.0, hull.x[0] - hull.taper_aft};
-  const std::array<double, 2> arm_fore = {1.0, hull.x[last] + hull.taper_fore};
-  for (std::size_t n = 0; n < 2; ++n) {
-    for (std::size_t i = 0; i < hull.num_sections; ++i) {
-      out.heave_velocity[n][i] = hull.weight[i] * heave_at[n][i];
-      out.sway_velocity[n][i] = hull.weight[i] * sway_at[n][i];
-    }
-    slope_weights(hull, heave_at[n],
-                  {arm_aft[n] * on_aft * heave_at[0][0], arm_fore[n] * on_fore * heave_at[0][last]},
-                  out.heave_velocity_slope[n]);
-    slope_weights(hull, sway_at[n],
-                  {arm_aft[n] * on_aft * sway_at[0][0], arm_fore[n] * on_fore * sway_at[0][last]},
-                  out.sway_velocity_slope[n]);
-  }
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
+                const BeamSeaCorrection* correction, WaveField& out) {
+  Phases phase;
+  phases(hull, wave_number(omega, hull.gravity), mu, phase);
+  start_field(omega, mu, out);
+  set_longitudinal(hull, phase, sections, correction, out);
+  set_lateral(hull, phase, sections, correction, out);
+}
+
+void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
+                        const BeamSeaCorrection* correction, WaveField& out) {
+  Phases phase;
+  phases(hull, wave_number(omega, hull.gravity), mu, phase);
+  start_field(omega, mu, out);
+  set_lateral(hull, phase, sections, correction, out);
 }
 
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
@@ -176,31 +265,24 @@ std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field
     return diffraction(hull, section[kA33], section[kB33], field.heave_velocity[n],
                        field.heave_velocity_slope[n], field.omega, omega_e, speed);
   };
-  const auto sway = [&](std::size_t n, StripQuantity a, StripQuantity b) {
-    return diffraction(hull, section[a], section[b], field.sway_velocity[n], field.sway_velocity_slope[n],
-                       field.omega, omega_e, speed);
-  };
-  std::array<Complex, 6> load = field.froude_krilov;
-  load[1] += sway(0, kA22, kB22);
-  load[2] += heave(0);
-  load[3] += sway(0, kA24, kB24);
-  load[4] -= heave(1);
-  load[5] += sway(1, kA22, kB22);
-  // Oblique weight of the sway, yaw and roll corrections: empirical, chosen on the S-175 (formulas §6).
-  const double lateral = std::min(1.0, std::fabs(omega_e) / field.omega);
-  const std::array<double, 6> weight = {0.0, lateral, 1.0, lateral, 1.0, lateral};
-  for (std::size_t i = 0; i < 6; ++i) {
-    load[i] += weight[i] * field.beam_correction[i];
-  }
+  std::array<Complex, 6> load{};
+  load[0] = field.froude_krilov[0];
+  load[2] = field.froude_krilov[2] + heave(0) + field.beam_correction[2];
+  load[4] = field.froude_krilov[4] - heave(1) + field.beam_correction[4];
   if (hull.method.beam_loads == BeamLoads::kRadiatedWave) {
-    // The correction is a diffraction load, so its lever is that of [STF1970], x + V / (i omega_e). With the
-    // weight it stays finite where omega_e vanishes; heave's square root over omega needs a second guard of
-    // the long-wave limit.
-    const Complex lever = lateral * speed / (kI * omega_e);
+    // Heave's square root over omega needs a second guard of the long-wave limit.
     const double kb = wave_number(field.omega, hull.gravity) * hull.breadth / 0.2;
-    load[4] -= lever * (1.0 - std::exp(-kb * kb)) * field.beam_correction[2];
-    load[5] += lever * field.beam_correction[1];
+    load[4] -= oblique_weight(field, omega_e) * speed_lever(omega_e, speed) * (1.0 - std::exp(-kb * kb)) *
+               field.beam_correction[2];
   }
+  add_lateral_loads(hull, field, section, omega_e, speed, load);
+  return load;
+}
+
+std::array<Complex, 6> lateral_wave_loads(const LoadedHull& hull, const WaveField& field,
+                                          const SectionHydrodynamics& section, double omega_e, double speed) {
+  std::array<Complex, 6> load{};
+  add_lateral_loads(hull, field, section, omega_e, speed, load);
   return load;
 }
 

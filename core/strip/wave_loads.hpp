@@ -28,6 +28,17 @@ struct BeamSeaCorrection {
   ComplexSectionValues roll{};  // about G
 };
 
+/// Froude-Krilov amplitudes and equivalent-motion factors of each section, without the phase of the section's
+/// place: smooth in omega.
+struct SectionWaves {
+  SectionValues surge{};
+  SectionValues sway{};
+  SectionValues heave{};
+  SectionValues roll{};  // about O
+  SectionValues heave_factor{};
+  SectionValues horizontal_factor{};
+};
+
 struct WaveField {
   double omega = 0.0;
   EncounterAngle mu;
@@ -43,13 +54,22 @@ struct WaveField {
 /// All of a wave frequency that does not depend on direction. omega > 0 [rad/s].
 void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection& out);
 
-/// `correction` may be null: loads by equivalent motions alone.
-void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const BeamSeaCorrection* correction,
-                WaveField& out);
+void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out);
+
+/// `correction` may be null: loads by equivalent motions alone. The two halves are independent: surge, heave
+/// and pitch; sway, roll and yaw.
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
+                const BeamSeaCorrection* correction, WaveField& out);
+void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
+                        const BeamSeaCorrection* correction, WaveField& out);
 
 /// Six loads [N, N m per m], times e^{i omega_e t}. `section`: at |omega_e|; omega_e signed, not zero; V
 /// [m/s].
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
                                   const SectionHydrodynamics& section, double omega_e, double speed);
+
+/// Sway, roll and yaw alone, the others zero; of a lateral field and the first four quantities of `section`.
+std::array<Complex, 6> lateral_wave_loads(const LoadedHull& hull, const WaveField& field,
+                                          const SectionHydrodynamics& section, double omega_e, double speed);
 
 }  // namespace quickstrip

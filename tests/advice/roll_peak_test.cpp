@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstdio>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,24 +26,15 @@ namespace quickstrip {
 namespace {
 
 constexpr double kKnot = 1852.0 / 3600.0;
-constexpr int kShifts = 20;
-
-struct Range {
-  double low = 1e9;
-  double high = -1e9;
-  void take(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
+constexpr int kShifts = 4;
+constexpr int kBruteFrequencies = 2000;
+constexpr double kBruteFrom = 0.15;  // rad/s: around every shift's range
+constexpr double kBruteTo = 2.35;
 
 struct Case {
   WaveSystem sea;
   double mu_deg = 0.0;
   double speed = 0.0;
-  double exact = 0.0;
-  Range before{};
-  Range after{};
 };
 
 WaveSystem long_crested(double tp, SpectrumShape shape, double peakedness) {
@@ -62,28 +54,30 @@ class RollPeakTest : public testing::Test {
     roll_ = find_channel(watch_, Quantity::kRoll, 0);
   }
 
-  // Nodes of the hull's own, shifted by `part` of the step between them.
+  // Nodes of the hull's own, each shifted by `part` of the step to the next.
   std::vector<double> shifted_nodes(double part) {
     choose_frequencies(*ship_, *transfer_);
-    const double step = std::pow(transfer_->omega[1] / transfer_->omega[0], part);
     std::vector<double> nodes(transfer_->omega.begin(), transfer_->omega.end());
-    for (double& w : nodes) {
-      w *= step;
+    const std::size_t last = nodes.size() - 1;
+    for (std::size_t f = 0; f <= last; ++f) {
+      const std::size_t from = std::min(f, last - 1);
+      nodes[f] = transfer_->omega[f] + part * (transfer_->omega[from + 1] - transfer_->omega[from]);
     }
     return nodes;
   }
 
-  double brute_force(const Case& at, double from, double to) {
-    constexpr int kCount = 5000;
-    const Spectrum spectrum = *spectrum_of(at.sea);
-    double sum = 0.0;
-    const double step = (to - from) / kCount;
-    for (int i = 0; i < kCount; ++i) {
-      const double omega = from + (i + 0.5) * step;
-      const MotionTransfer t = motion_transfer(*ship_, omega, {radians(at.mu_deg)}, at.speed);
-      sum += std::norm(t.motion[3]) * density(spectrum, omega) * step;
+  // Roll variance of each sea at one direction and speed.
+  std::vector<double> brute_force(std::span<const Spectrum> seas, double mu_deg, double speed) {
+    std::vector<double> sums(seas.size(), 0.0);
+    const double step = (kBruteTo - kBruteFrom) / kBruteFrequencies;
+    for (int i = 0; i < kBruteFrequencies; ++i) {
+      const double omega = kBruteFrom + (i + 0.5) * step;
+      const double h2 = std::norm(motion_transfer(*ship_, omega, {radians(mu_deg)}, speed).motion[3]);
+      for (std::size_t s = 0; s < seas.size(); ++s) {
+        sums[s] += h2 * density(seas[s], omega) * step;
+      }
     }
-    return sum;
+    return sums;
   }
 
   // For a ship heading north.
@@ -101,11 +95,11 @@ class RollPeakTest : public testing::Test {
     return out;
   }
 
-  // Without the scaling that stands for the lost tail: brute force covers every shift's range, and roll has
-  // nothing beyond.
-  double error_of(const Case& at, std::span<const double> nodes) {
+  // Relative error of the roll RMS. Without the scaling that stands for the lost tail: brute force covers
+  // every shift's range, and roll has nothing beyond.
+  double error_of(const Case& at, std::span<const double> nodes, double exact) {
     place(at, nodes);
-    return (1.0 - sea_->lost_tail) * moments(at.speed)[roll_].m0 / at.exact - 1.0;
+    return std::sqrt((1.0 - sea_->lost_tail) * moments(at.speed)[roll_].m0 / exact) - 1.0;
   }
 
   void remove_peaks() {
@@ -124,58 +118,71 @@ class RollPeakTest : public testing::Test {
   std::size_t roll_ = 0;
 };
 
-// Relative errors of the roll variance in per cent, over 20 shifts of the wave frequencies by a twentieth of
-// their step; before: as measured when the peak had no points of its own (the test repeats it).
-//   ratio  sea                      mu 90, 0 and 20 kn            mu 45, 0 kn                   mu 45, 20 kn
-//   0.05   Bretschneider Tp 17 s     -1.0 ...  +0.3, after  0.09   -1.0 ...  +0.3, after  0.04   +0.1, after
-//   0.2 0.05   JONSWAP 3.3 Tp 12 s       +1.9 ...  +2.4, after  0.84   +0.9 ...  +1.1, after  0.21   +0.2,
-//   after 0.2 0.02   Bretschneider Tp 17 s    -18.0 ... +20.5, after  0.14  -17.2 ... +19.7, after  0.11
-//   +0.2, after 0.1 0.02   JONSWAP 3.3 Tp 12 s       -4.2 ... +13.2, after  0.89   -2.4 ...  +7.4, after 0.37
-//   +0.4, after 0.4
-// At 45 degrees and 20 kn omega_e hardly changes with the wave frequency near resonance: no needle. What is
-// left in the shorter sea is the straight line between frequencies away from the peak.
-TEST_F(RollPeakTest, GivesTheRollVarianceOfBruteForceWhereverTheFrequenciesFall) {
-  const std::array<double, 2> speeds = {0.0, 20.0 * kKnot};
-  const std::array<WaveSystem, 2> seas = {long_crested(17.0, SpectrumShape::kBretschneider, 1.0),
-                                          long_crested(12.0, SpectrumShape::kJonswap, 3.3)};
-  double worst_before = 0.0;
+// All headings, 0, 10 and 20 kn, four positions of the frequencies, ratios 0.05 and 0.02, long-crested seas.
+// Prints the worst error of the roll RMS where the ship rolls, at a tenth of the sea's largest RMS or more,
+// and where she does not. What is left in the shortest sea is the straight line between frequencies in waves
+// from astern, far from any resonance; in a JONSWAP sea of Tp 7 s the same reaches 6 % where the ship rolls a
+// twentieth of her largest.
+TEST_F(RollPeakTest, GivesTheRollOfBruteForceOnAllHeadingsWhereverTheFrequenciesFall) {
+  const std::array<double, 3> speeds = {0.0, 10.0 * kKnot, 20.0 * kKnot};
+  const std::array<WaveSystem, 3> seas = {long_crested(17.0, SpectrumShape::kBretschneider, 1.0),
+                                          long_crested(12.0, SpectrumShape::kJonswap, 3.3),
+                                          long_crested(9.0, SpectrumShape::kBretschneider, 1.0)};
+  std::vector<Spectrum> spectra;
+  for (const WaveSystem& sea : seas) {
+    spectra.push_back(*spectrum_of(sea));
+  }
+  struct Worst {
+    double rolls = 0.0;
+    double still = 0.0;
+    double without_points = 0.0;
+  };
+  std::array<Worst, 3> worst{};
+  const auto take = [](double error, double& largest) { largest = std::max(largest, std::fabs(error)); };
   for (const double ratio : {0.05, 0.02}) {
     set_roll_damping_ratio(*ship_, ratio);
     std::vector<Case> cases;
-    for (const WaveSystem& sea : seas) {
-      for (const double mu_deg : {90.0, 45.0}) {
-        for (const double speed : speeds) {
-          Case one{sea, mu_deg, speed};
-          one.exact = brute_force(one, 0.16, 2.35);
-          cases.push_back(one);
+    std::vector<double> exact;
+    for (double mu_deg = 15.0; mu_deg < 179.0; mu_deg += 15.0) {
+      for (const double speed : speeds) {
+        const std::vector<double> sums = brute_force(spectra, mu_deg, speed);
+        for (std::size_t s = 0; s < seas.size(); ++s) {
+          cases.push_back({seas[s], mu_deg, speed});
+          exact.push_back(sums[s]);
         }
       }
+    }
+    std::array<double, 3> largest{};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      largest[i % 3] = std::max(largest[i % 3], exact[i]);
     }
     for (int shift = 0; shift < kShifts; ++shift) {
       const auto nodes = shifted_nodes(static_cast<double>(shift) / kShifts - 0.5);
       ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, nodes, *transfer_).ok());
-      for (Case& one : cases) {
-        one.after.take(error_of(one, nodes));
+      for (std::size_t i = 0; i < cases.size(); ++i) {
+        const bool rolls = exact[i] > 0.01 * largest[i % 3];
+        const double error = error_of(cases[i], nodes, exact[i]);
+        take(error, rolls ? worst[i % 3].rolls : worst[i % 3].still);
+        EXPECT_NEAR(error, 0.0, rolls ? 0.01 : 0.02)
+            << "sea " << i % 3 << " mu " << cases[i].mu_deg << " V " << cases[i].speed << " ratio " << ratio;
       }
       remove_peaks();
-      for (Case& one : cases) {
-        one.before.take(error_of(one, nodes));
+      for (std::size_t i = 0; i < cases.size(); ++i) {
+        take(error_of(cases[i], nodes, exact[i]), worst[i % 3].without_points);
       }
     }
-    for (const Case& one : cases) {
-      worst_before = std::max({worst_before, one.before.high, -one.before.low});
-      const double allowed = ratio < 0.03 ? 0.02 : 0.01;
-      EXPECT_LT(one.after.high, allowed) << one.mu_deg << " " << one.speed << " " << ratio;
-      EXPECT_GT(one.after.low, -allowed) << one.mu_deg << " " << one.speed << " " << ratio;
-    }
   }
-  EXPECT_GT(worst_before, 0.1);  // else there was nothing to mend
+  std::printf("worst error of the roll RMS, %%:  rolls  still  without the points\n");
+  for (std::size_t s = 0; s < seas.size(); ++s) {
+    std::printf("  Tp %4.1f s, gamma %.1f %15.2f %6.2f %8.1f\n", seas[s].period, seas[s].peakedness,
+                100.0 * worst[s].rolls, 100.0 * worst[s].still, 100.0 * worst[s].without_points);
+    EXPECT_GT(worst[s].without_points, 0.03);  // else there was nothing to mend
+  }
 }
 
-// At its points the peak holds the solution of motion_transfer() but for the interpolation of the loads. Its
-// error grows with the angle by which the ends of the ship turn in the wave from one frequency to the next:
-// measured 0.2 % of the largest roll at the points while that stays below 1 rad, 23 % below 2 rad (waves of
-// L/6 from astern), 32 % beyond, in waves that carry little.
+// At its points the peak holds the solution of motion_transfer() but for the interpolation of the loads.
+// Measured 0.3 % of the largest roll at the points while the wave at the ends of the ship turns by less than
+// 2 rad from one frequency to the next, 6 % beyond, in waves that carry little.
 TEST_F(RollPeakTest, HoldsAtItsPointsTheMotionsOfTheEquationsThemselves) {
   set_roll_damping_ratio(*ship_, 0.02);
   const std::array<double, 3> speeds = {0.0, 12.0 * kKnot, 20.0 * kKnot};
@@ -206,8 +213,8 @@ TEST_F(RollPeakTest, HoldsAtItsPointsTheMotionsOfTheEquationsThemselves) {
   }
   EXPECT_GT(num_points, 2000U);
   EXPECT_LT(worst[0], 0.005);
-  EXPECT_LT(worst[1], 0.3);
-  EXPECT_LT(worst[2], 0.4);
+  EXPECT_LT(worst[1], 0.005);
+  EXPECT_LT(worst[2], 0.1);
 }
 
 // Sway, yaw and roll answer waves from the other side with the other sign: to the last bit.

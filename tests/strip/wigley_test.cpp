@@ -64,7 +64,9 @@ TEST(WigleyIII, HeadWaveLoadsAtFn03AreThoseMeasured) {
     const double speed = speed_at(0.3);
     const double we = omega + k * speed;
     WaveField field;
-    wave_field(*hull, omega, EncounterAngle{kPi}, nullptr, field);
+    SectionWaves sections;
+    section_waves(*hull, omega, EncounterAngle{kPi}, sections);
+    wave_field(*hull, omega, EncounterAngle{kPi}, sections, nullptr, field);
     SectionHydrodynamics section;
     section_hydrodynamics(*hull, we, section);
     const auto load = wave_loads(*hull, field, section, we, speed);

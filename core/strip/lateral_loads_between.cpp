@@ -1,0 +1,84 @@
+#include "core/strip/lateral_loads_between.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.hpp"
+#include "core/sea/dispersion.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr std::size_t kStencil = 4;
+
+struct Cubic {
+  std::size_t first = 0;
+  std::array<double, kStencil> weight{};
+};
+
+Cubic cubic_at(std::span<const double> omega, std::size_t interval, double at) {
+  Cubic out;
+  out.first = std::min(interval > 0 ? interval - 1 : 0, omega.size() - kStencil);
+  for (std::size_t i = 0; i < kStencil; ++i) {
+    const double here = omega[out.first + i];
+    out.weight[i] = 1.0;
+    for (std::size_t n = 0; n < kStencil; ++n) {
+      const double other = omega[out.first + n];
+      out.weight[i] *= n == i ? 1.0 : (at - other) / (here - other);
+    }
+  }
+  return out;
+}
+
+// out[i] = sum over the stencil of weight times values[i].
+template <typename Values, typename Of>
+void interpolate(const Cubic& cubic, std::size_t num_sections, const Of& values_of, Values& out) {
+  const Values& v0 = values_of(cubic.first);
+  const Values& v1 = values_of(cubic.first + 1);
+  const Values& v2 = values_of(cubic.first + 2);
+  const Values& v3 = values_of(cubic.first + 3);
+  for (std::size_t i = 0; i < num_sections; ++i) {
+    out[i] = (cubic.weight[0] * v0[i] + cubic.weight[1] * v1[i]) +
+             (cubic.weight[2] * v2[i] + cubic.weight[3] * v3[i]);
+  }
+}
+
+}  // namespace
+
+double turn_between(const LoadedHull& hull, EncounterAngle mu, double omega, double next_omega) {
+  const double change = wave_number(next_omega, hull.gravity) - wave_number(omega, hull.gravity);
+  return 0.5 * hull.lpp * std::fabs(change * std::cos(mu.radians));
+}
+
+std::array<Complex, 6> lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves,
+                                             EncounterAngle mu, double speed, std::size_t interval,
+                                             double omega, double omega_e) {
+  QS_CHECK(waves.omega.size() >= kStencil && waves.sections.size() == waves.omega.size());
+  const Cubic cubic = cubic_at(waves.omega, interval, omega);
+  const std::size_t n = hull.num_sections;
+  const auto section = [&waves](auto member) {
+    return [&waves, member](std::size_t f) -> const SectionValues& { return waves.sections[f].*member; };
+  };
+  SectionWaves sections;
+  interpolate(cubic, n, section(&SectionWaves::sway), sections.sway);
+  interpolate(cubic, n, section(&SectionWaves::roll), sections.roll);
+  interpolate(cubic, n, section(&SectionWaves::horizontal_factor), sections.horizontal_factor);
+  const bool is_corrected = !waves.corrections.empty();
+  BeamSeaCorrection correction;
+  if (is_corrected) {
+    const auto part = [&waves](auto member) {
+      return [&waves, member](std::size_t f) -> const ComplexSectionValues& {
+        return waves.corrections[f].*member;
+      };
+    };
+    interpolate(cubic, n, part(&BeamSeaCorrection::sway), correction.sway);
+    interpolate(cubic, n, part(&BeamSeaCorrection::roll), correction.roll);
+  }
+  WaveField field;
+  lateral_wave_field(hull, omega, mu, sections, is_corrected ? &correction : nullptr, field);
+  SectionHydrodynamics hydrodynamics;
+  section_hydrodynamics(hull, omega_e, hydrodynamics);
+  return lateral_wave_loads(hull, field, hydrodynamics, omega_e, speed);
+}
+
+}  // namespace quickstrip
