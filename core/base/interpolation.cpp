@@ -27,4 +27,34 @@ LagrangeStencil lagrange_stencil(std::span<const double> nodes, double x) {
   return stencil;
 }
 
+SplineStencil spline_stencil(std::span<const double> nodes, double x) {
+  const std::size_t n = nodes.size();
+  QS_CHECK(n >= 4);
+  // Knots: first node four times, all but the second and the last but one, last node four times.
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin());
+  SplineStencil stencil;
+  stencil.first = std::clamp<std::size_t>(above, 2, n - 2) - 2;
+  std::array<double, 6> knot{};  // three on either side of x
+  for (std::size_t i = 0; i < knot.size(); ++i) {
+    const std::size_t k = stencil.first + 1 + i;
+    knot[i] = k < 4 ? nodes.front() : k < n ? nodes[k - 2] : nodes.back();
+  }
+  // B-splines of degree 1, 2, 3 from those one lower [deBoor1972].
+  std::array<double, 4>& b = stencil.weight;
+  b[0] = 1.0;
+  for (std::size_t degree = 1; degree < 4; ++degree) {
+    double carried = 0.0;
+    for (std::size_t i = 0; i < degree; ++i) {
+      const double right = knot[3 + i];
+      const double left = knot[3 + i - degree];
+      const double share = b[i] / (right - left);
+      b[i] = carried + (right - x) * share;
+      carried = (x - left) * share;
+    }
+    b[degree] = carried;
+  }
+  return stencil;
+}
+
 }  // namespace quickstrip

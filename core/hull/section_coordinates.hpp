@@ -6,7 +6,6 @@
 // The bound of a3 has a fold at H0 = 1: interpolation must not run across it.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -39,8 +38,10 @@ inline double frequency_coordinate(double kappa) {
   return std::log((kappa + kLow) / (kappa + kHigh));
 }
 
+inline constexpr std::size_t kNumTabulatedFrequencies = 32;
+
 /// What is stored, in units of M (see lewis_limits.hpp): smooth and bounded for kappa = 0 ... infinity, and
-/// divided by the scale of quantity_scales at the same H0 and fullness.
+/// divided by the scale of quantity_scales at the same H0.
 enum SectionQuantity : std::size_t {
   kHeaveMass,       // a33 + (B^2/pi) ln(kappa/(1+kappa))
   kHeaveAmplitude,  // h3 / decay.heave
@@ -53,21 +54,24 @@ enum SectionQuantity : std::size_t {
 inline constexpr std::size_t kNumSectionQuantities = 7;
 using SectionQuantities = std::array<double, kNumSectionQuantities>;
 
-/// Closed forms that take most of the variation with H0 out of the quantities. Along the fullness the
-/// quantities themselves are nearly parabolas (the closed forms are, in a3), so scales belong to the nodes.
-SectionQuantities quantity_scales(double a1, double a3);
+/// Closed forms that take most of the variation with H0 out of the quantities: those of a form of middling
+/// fullness. Along the fullness the quantities themselves are nearly parabolas (the closed forms are, in a3),
+/// so the scales must not vary with it.
+SectionQuantities quantity_scales(double q);
 
 /// What is taken out of the amplitudes of the radiated waves. Sway: kappa at low, 2/kappa at high frequency.
-/// Heave: const and (g kappa)^-2 with g = (1-a1-3a3)^(3/2), because short waves see only the curvature at the
-/// waterline, 4 (1+a1+9a3) / ((1-a1-3a3)^3 kappa^2). g vanishes at the re-entrant limit of wide sections.
+/// Heave: const and (g kappa)^-2, because short waves see only the curvature at the waterline,
+/// 4 (1+a1+9a3) / ((1-a1-3a3)^3 kappa^2). g would be (1-a1-3a3)^(3/2), but that has no second derivative at
+/// the re-entrant limit of wide sections, where it vanishes and the amplitudes do not: its square instead,
+/// which leaves a bounded factor in the quantity. The factor 0.15 gave the least error of 0.1 ... 0.7.
 struct AmplitudeDecay {
   double heave = 1.0;
   double sway = 1.0;
   double roll = 1.0;
 };
 inline double waterline_bluntness(double a1, double a3) {  // g
-  const double d = std::max(0.0, 1.0 - a1 - 3.0 * a3);
-  return d * std::sqrt(d);
+  const double d = 1.0 - a1 - 3.0 * a3;
+  return 0.15 * d * d;
 }
 inline AmplitudeDecay amplitude_decay(double bluntness, double kappa) {
   const double long_waves = 1.0 / (1.0 + kappa);

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
+#include <tuple>
 
 #include "core/base/check.hpp"
 #include "core/base/constants.hpp"
+#include "core/base/interpolation.hpp"
 #include "core/hull/lewis_section.hpp"
 #include "core/strip/section_table_data.hpp"
 
@@ -17,90 +20,58 @@ namespace data = section_table_data;
 // Rounding at the bounds is not a fault: sections are clipped to them.
 constexpr double kBoundTolerance = 1e-9;
 
-// Four nodes or more. x in the second of the three intervals of the four nearest nodes, except at the ends.
-ParabolicBlend blend(std::span<const double> nodes, double x) {
-  const auto above = std::lower_bound(nodes.begin(), nodes.end(), x);
-  const std::size_t right =
-      std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1, nodes.size() - 1);
-  ParabolicBlend result;
-  result.first = std::min(right < 2 ? 0 : right - 2, nodes.size() - 4);
-  const std::span<const double> near = nodes.subspan(result.first, 4);
-  // Share of the right-hand parabola: 0 in the first interval, 1 in the last.
-  const double share = std::clamp((x - near[1]) / (near[2] - near[1]), 0.0, 1.0);
-  const LagrangeStencil left = lagrange_stencil(near.first(3), x);
-  const LagrangeStencil beyond = lagrange_stencil(near.last(3), x);
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.weight[i] += (1.0 - share) * left.weight[i];
-    result.weight[i + 1] += share * beyond.weight[i];
-  }
-  return result;
-}
-
-ParabolicBlend log_h0_blend(double log_h0) {
-  // Not across H0 = 1, where the bounds of a3 have a fold.
-  std::size_t fold = 0;
-  while (fold + 1 < data::kLogH0.size() && data::kLogH0[fold] < 0.0) {
-    ++fold;
-  }
+// Not across H0 = 1, where the bounds of a3 have a fold.
+SplineStencil log_h0_stencil(double log_h0) {
   if (log_h0 <= 0.0) {
-    return blend(data::kLogH0.first(fold + 1), log_h0);
+    return spline_stencil(data::kLogH0Below, log_h0);
   }
-  ParabolicBlend result = blend(data::kLogH0.subspan(fold), log_h0);
-  result.first += fold;
-  return result;
+  SplineStencil stencil = spline_stencil(data::kLogH0Above, log_h0);
+  stencil.first += data::kLogH0Below.size();
+  return stencil;
 }
 
-// Only the four nodes that are used are taken to the coordinate of the interpolation.
-ParabolicBlend frequency_blend(double kappa) {
-  const std::span<const double> nodes = data::kKappa;
-  const auto above = std::lower_bound(nodes.begin(), nodes.end(), kappa);
-  const std::size_t right =
-      std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1, nodes.size() - 1);
-  const std::size_t first = std::min(right < 2 ? 0 : right - 2, nodes.size() - 4);
-  std::array<double, 4> near{};
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    near[i] = frequency_coordinate(nodes[first + i]);
-  }
-  ParabolicBlend result = blend(near, frequency_coordinate(kappa));
-  result.first += first;
-  return result;
-}
-
-SectionQuantities interpolate(const SectionTableColumn& column, const ParabolicBlend& frequency,
-                              double kappa) {
-  SectionQuantities total{};
-  const std::size_t num_kappa = data::kKappa.size();
-  for (std::size_t j = 0; j < 4; ++j) {
-    SectionQuantities sum{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t section = (column.h0.first + i) * data::kFullness.size() + column.fullness.first + j;
-      const std::size_t start = (section * num_kappa + frequency.first) * kNumSectionQuantities;
-      const std::span<const float> values = data::kValues.subspan(start, 4 * kNumSectionQuantities);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const double factor = column.h0.weight[i] * frequency.weight[k];
-        for (std::size_t q = 0; q < kNumSectionQuantities; ++q) {
-          sum[q] += factor * static_cast<double>(values[k * kNumSectionQuantities + q]);
-        }
+// The spline over frequency at one H0 and fullness, scaled.
+void set_spline(const TablePosition& position, SectionTableColumn& column) {
+  const std::size_t row = column.spline.size();
+  const SplineStencil h0 = log_h0_stencil(position.log_h0);
+  const SplineStencil fullness = spline_stencil(data::kFullness, position.fullness);
+  std::array<double, std::tuple_size_v<decltype(column.spline)>> sum{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double weight = h0.weight[i] * fullness.weight[j];
+      const std::size_t section = (h0.first + i) * data::kFullness.size() + fullness.first + j;
+      const std::span<const float> stored = data::kCoefficients.subspan(section * row, row);
+      for (std::size_t n = 0; n < row; ++n) {
+        sum[n] += weight * static_cast<double>(stored[n]);
       }
     }
-    const AmplitudeDecay decay = amplitude_decay(column.bluntness[j], kappa);
-    sum[kHeaveAmplitude] *= decay.heave;
-    sum[kSwayAmplitude] *= decay.sway;
-    sum[kRollAmplitude] *= decay.roll;
+  }
+  for (std::size_t n = 0; n < row; ++n) {
+    column.spline[n] = static_cast<float>(sum[n] * position.scales[n % kNumSectionQuantities]);
+  }
+}
+
+SectionQuantities smooth_quantities(const SectionTableColumn& column, double kappa) {
+  const SplineStencil frequency = spline_stencil(data::kFrequency, frequency_coordinate(kappa));
+  const std::span<const float> near =
+      std::span<const float>(column.spline)
+          .subspan(frequency.first * kNumSectionQuantities, 4 * kNumSectionQuantities);
+  SectionQuantities sum{};
+  for (std::size_t k = 0; k < 4; ++k) {
     for (std::size_t q = 0; q < kNumSectionQuantities; ++q) {
-      total[q] += column.fullness.weight[j] * column.scales[j][q] * sum[q];
+      sum[q] += frequency.weight[k] * static_cast<double>(near[k * kNumSectionQuantities + q]);
     }
   }
-  return total;
+  return sum;
 }
 
 class Fnv1a64 {
  public:
-  template <typename T>
-  void add(T value) {
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-      hash_ = (hash_ ^ ((value >> (8 * i)) & 0xffU)) * 0x100000001b3U;
-    }
+  void add(std::uint32_t word) { hash_ = (hash_ ^ word) * 0x100000001b3U; }
+  void add(double node) {
+    const auto bits = std::bit_cast<std::uint64_t>(node);
+    add(static_cast<std::uint32_t>(bits));
+    add(static_cast<std::uint32_t>(bits >> 32));
   }
   [[nodiscard]] std::uint64_t value() const { return hash_; }
 
@@ -110,7 +81,7 @@ class Fnv1a64 {
 
 }  // namespace
 
-Result<SectionTableColumn> section_table_column(double h0, double sigma) {
+Result<TablePosition> table_position(double h0, double sigma) {
   if (!std::isfinite(h0) || !std::isfinite(sigma)) {
     return Error::kNotFinite;
   }
@@ -129,49 +100,62 @@ Result<SectionTableColumn> section_table_column(double h0, double sigma) {
   if (!(p <= 1.0 + kBoundTolerance)) {
     return Error::kOutOfRange;
   }
-  SectionTableColumn column;
-  column.h0 = log_h0_blend(std::log(h0));
-  column.fullness = blend(data::kFullness, p);
-  for (std::size_t j = 0; j < 4; ++j) {
-    const double a3 = a3_of_fullness(q, data::kFullness[column.fullness.first + j]);
-    column.scales[j] = quantity_scales(q * (1.0 + a3), a3);
-    column.bluntness[j] = waterline_bluntness(q * (1.0 + a3), a3);
+  return TablePosition{
+      .log_h0 = std::log(h0),
+      .fullness = p,
+      .scales = quantity_scales(q),
+      .form = {.bluntness = waterline_bluntness(section->a1, section->a3),
+               .lateral_at_infinity = lateral_added_mass_at_infinity(section->a1, section->a3),
+               .heave_at_infinity = heave_added_mass_at_infinity(section->a1, section->a3),
+               .breadth = breadth_in_scale(section->a1, section->a3),
+               .area = area_in_scale(section->a1, section->a3)}};
+}
+
+Result<SectionTableColumn> section_table_column(double h0, double sigma) {
+  const Result<TablePosition> position = table_position(h0, sigma);
+  if (!position) {
+    return position.error();
   }
-  column.lateral_at_infinity = lateral_added_mass_at_infinity(section->a1, section->a3);
-  column.heave_at_infinity = heave_added_mass_at_infinity(section->a1, section->a3);
-  column.breadth = breadth_in_scale(section->a1, section->a3);
-  column.area = area_in_scale(section->a1, section->a3);
+  SectionTableColumn column;
+  column.form = position->form;
+  set_spline(*position, column);
   return column;
 }
 
 SectionCoefficients section_coefficients(const SectionTableColumn& column, double xi) {
   QS_CHECK(xi >= 0.0 && std::isfinite(xi));
-  constexpr double kLeastXiOfHeave = 1e-12;
-  const double kappa_per_xi = 2.0 / column.breadth;
-  const double kappa = xi * kappa_per_xi;
-  const double top = data::kKappa.back();
-  const double inside = std::min(kappa, top);
-  SectionQuantities v = interpolate(column, frequency_blend(inside), kappa);
+  return coefficients_of(column.form, smooth_quantities(column, kappa_in_table(column.form, xi)), xi);
+}
 
-  const double for_log = std::max(inside, kLeastXiOfHeave * kappa_per_xi);
-  v[kHeaveMass] -= column.breadth * column.breadth / kPi * std::log(for_log / (1.0 + for_log));
-  if (kappa > top) {
+double kappa_in_table(const TabulatedForm& form, double xi) {
+  return std::min(2.0 * xi / form.breadth, data::kGreatestKappa);
+}
+
+SectionCoefficients coefficients_of(const TabulatedForm& form, SectionQuantities smooth, double xi) {
+  constexpr double kLeastXiOfHeave = 1e-12;
+  SectionQuantities& v = smooth;
+  const double kappa = 2.0 * xi / form.breadth;
+  const double inside = kappa_in_table(form, xi);
+  const double for_log = std::max(inside, 2.0 * kLeastXiOfHeave / form.breadth);
+  v[kHeaveMass] -= form.breadth * form.breadth / kPi * std::log(for_log / (1.0 + for_log));
+  if (kappa > inside) {
     // The added masses approach their limits as 1/kappa; the scaled amplitudes keep their last values.
-    const double rest = top / kappa;
-    v[kHeaveMass] = column.heave_at_infinity + (v[kHeaveMass] - column.heave_at_infinity) * rest;
-    const LewisAddedMass& lateral = column.lateral_at_infinity;
+    const double rest = inside / kappa;
+    v[kHeaveMass] = form.heave_at_infinity + (v[kHeaveMass] - form.heave_at_infinity) * rest;
+    const LewisAddedMass& lateral = form.lateral_at_infinity;
     v[kSwayMass] = lateral.a22 + (v[kSwayMass] - lateral.a22) * rest;
     v[kCouplingMass] = lateral.a24 + (v[kCouplingMass] - lateral.a24) * rest;
     v[kRollMass] = lateral.a44 + (v[kRollMass] - lateral.a44) * rest;
   }
-  const double h3 = v[kHeaveAmplitude];
-  const double h2 = v[kSwayAmplitude];
-  const double h4 = v[kRollAmplitude];
+  const AmplitudeDecay decay = amplitude_decay(form.bluntness, kappa);
+  const double h3 = v[kHeaveAmplitude] * decay.heave;
+  const double h2 = v[kSwayAmplitude] * decay.sway;
+  const double h4 = v[kRollAmplitude] * decay.roll;
 
   const double root = std::sqrt(xi);  // omega sqrt(B/2g)
-  const double by_area = 1.0 / column.area;
-  const double by_moment = by_area / column.breadth;
-  const double by_inertia = by_moment / column.breadth;
+  const double by_area = 1.0 / form.area;
+  const double by_moment = by_area / form.breadth;
+  const double by_inertia = by_moment / form.breadth;
   return {.a22 = v[kSwayMass] * by_area,
           .b22 = root * h2 * h2 * by_area,
           .a33 = v[kHeaveMass] * by_area,
@@ -183,15 +167,21 @@ SectionCoefficients section_coefficients(const SectionTableColumn& column, doubl
 }
 
 bool section_table_is_intact() {
+  const std::size_t sections = (data::kLogH0Below.size() + data::kLogH0Above.size()) * data::kFullness.size();
+  if (data::kFrequency.size() != kNumTabulatedFrequencies ||
+      data::kCoefficients.size() != sections * kNumTabulatedFrequencies * kNumSectionQuantities) {
+    return false;
+  }
   Fnv1a64 hash;
   hash.add(data::kVersion);
-  for (const std::span<const double> nodes : {data::kLogH0, data::kFullness, data::kKappa}) {
+  for (const std::span<const double> nodes :
+       {data::kLogH0Below, data::kLogH0Above, data::kFullness, data::kFrequency}) {
     for (const double node : nodes) {
-      hash.add(std::bit_cast<std::uint64_t>(node));
+      hash.add(node);
     }
   }
-  for (const float value : data::kValues) {
-    hash.add(std::bit_cast<std::uint32_t>(value));
+  for (const float coefficient : data::kCoefficients) {
+    hash.add(std::bit_cast<std::uint32_t>(coefficient));
   }
   return hash.value() == data::kChecksum;
 }
@@ -204,12 +194,13 @@ std::uint64_t section_table_checksum() {
 }
 
 std::size_t section_table_numbers() {
-  return data::kLogH0.size() + data::kFullness.size() + data::kKappa.size() + data::kValues.size();
+  return data::kLogH0Below.size() + data::kLogH0Above.size() + data::kFullness.size() +
+         data::kFrequency.size() + data::kCoefficients.size();
 }
 
 std::size_t section_table_bytes() {
-  return (data::kLogH0.size() + data::kFullness.size() + data::kKappa.size()) * sizeof(double) +
-         data::kValues.size_bytes();
+  return (section_table_numbers() - data::kCoefficients.size()) * sizeof(double) +
+         data::kCoefficients.size_bytes();
 }
 
 }  // namespace quickstrip

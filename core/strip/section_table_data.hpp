@@ -8,12 +8,16 @@
 namespace quickstrip::section_table_data {
 
 extern const std::uint32_t kVersion;
-extern const std::uint64_t kChecksum;  // FNV-1a 64 of version, nodes and values, low byte first
-// log H0 (one node at H0 = 1 exactly), fullness, kappa (the first is 0: closed forms).
-extern const std::span<const double> kLogH0;
+// FNV-1a 64 by words of 32 bits: version, nodes (low word first), coefficients.
+extern const std::uint64_t kChecksum;
+// log H0 up to 0 exactly, and from 0: two splines, because the quantities have a fold at H0 = 1.
+extern const std::span<const double> kLogH0Below;
+extern const std::span<const double> kLogH0Above;
 extern const std::span<const double> kFullness;
-extern const std::span<const double> kKappa;
-// [log H0][fullness][kappa][quantity], quantities as in section_coordinates.hpp
-extern const std::span<const float> kValues;
+extern const std::span<const double> kFrequency;  // frequency_coordinate(kappa); the first is kappa = 0
+extern const double kGreatestKappa;               // of the last
+// Coefficients of the not-a-knot spline: [log H0 below, above][fullness][frequency][quantity], quantities as
+// in section_coordinates.hpp. One for each node.
+extern const std::span<const float> kCoefficients;
 
 }  // namespace quickstrip::section_table_data

@@ -4,12 +4,14 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ostream>
 #include <random>
 
 #include "core/base/check.hpp"
 #include "core/strip/section_table.hpp"
+#include "sim/section_table/lagrange_table.hpp"
 #include "sim/section_table/multipole_solver.hpp"
 
 namespace quickstrip {
@@ -83,6 +85,7 @@ const char* coefficient_name(std::size_t k) {
 
 AccuracyStudy measure_accuracy(SectionRegion region, int num_points, std::uint32_t seed) {
   constexpr double kWidening = 1.05;
+  const LagrangeTable lagrange_table;
   AccuracyStudy study;
   Values worst{};
   Uniform uniform(seed);
@@ -95,15 +98,18 @@ AccuracyStudy measure_accuracy(SectionRegion region, int num_points, std::uint32
     const double xi = log_uniform(uniform, kLeastXi, kGreatestXi);
     const Result<LewisSection> section = lewis_section(2.0 * h0, 1.0, 2.0 * h0 * sigma);
     const Result<SectionTableColumn> column = section_table_column(h0, sigma);
-    QS_CHECK(section.ok() && column.ok());
+    const Result<LagrangeColumn> lagrange_column = lagrange_table.column(h0, sigma);
+    QS_CHECK(section.ok() && column.ok() && lagrange_column.ok());
     const SectionSolution solution = refined(*section, kappa_of_xi(*section, xi));
     study.not_converged += solution.converged ? 0 : 1;
     const Values exact = as_array(normalised(*section, xi, solution));
-    const Values table = as_array(section_coefficients(*column, xi));
+    const Values spline = as_array(section_coefficients(*column, xi));
+    const Values lagrange = as_array(section_coefficients(*lagrange_column, xi));
     const Values scale = scales_of(exact, largest(*column));
     for (std::size_t k = 0; k < kNumCoefficients; ++k) {
-      const double error = std::abs(table[k] - exact[k]) / scale[k];
-      study.errors[k].push_back(error);
+      const double error = std::abs(spline[k] - exact[k]) / scale[k];
+      study.spline[k].push_back(error);
+      study.lagrange[k].push_back(std::abs(lagrange[k] - exact[k]) / scale[k]);
       if (error > worst[k]) {
         worst[k] = error;
         study.worst_h0[k] = h0;
@@ -112,8 +118,9 @@ AccuracyStudy measure_accuracy(SectionRegion region, int num_points, std::uint32
       }
     }
   }
-  for (std::vector<double>& errors : study.errors) {
-    std::sort(errors.begin(), errors.end());
+  for (std::size_t k = 0; k < kNumCoefficients; ++k) {
+    std::sort(study.spline[k].begin(), study.spline[k].end());
+    std::sort(study.lagrange[k].begin(), study.lagrange[k].end());
   }
   return study;
 }
@@ -125,15 +132,64 @@ double quantile(const std::vector<double>& sorted, double share) {
 }
 
 void print_accuracy(const AccuracyStudy& study, const char* title, std::ostream& out) {
-  fmt::print(out, "{}: {} points, {} not converged; error in %\n", title, study.errors[0].size(),
+  fmt::print(out, "{}: {} points, {} not converged; error in %\n", title, study.spline[0].size(),
              study.not_converged);
-  fmt::print(out, "      median    90 %    99 %   worst   at H0   sigma        xi\n");
+  fmt::print(out,
+             "                  cubic spline             second-degree Lagrange     the spline's worst at\n");
+  fmt::print(
+      out,
+      "      median    90 %    99 %   worst  median    90 %    99 %   worst      H0   sigma        xi\n");
   for (std::size_t k = 0; k < kNumCoefficients; ++k) {
-    const std::vector<double>& e = study.errors[k];
-    fmt::print(out, "{} {:8.4f}{:8.4f}{:8.4f}{:8.3f}{:8.3f}{:8.3f} {:9.4g}\n", kNames[k],
-               100.0 * quantile(e, 0.5), 100.0 * quantile(e, 0.9), 100.0 * quantile(e, 0.99),
-               100.0 * quantile(e, 1.0), study.worst_h0[k], study.worst_sigma[k], study.worst_xi[k]);
+    fmt::print(out, "{} ", kNames[k]);
+    for (const std::vector<double>& e : {study.spline[k], study.lagrange[k]}) {
+      fmt::print(out, "{:8.4f}{:8.4f}{:8.4f}{:8.3f}", 100.0 * quantile(e, 0.5), 100.0 * quantile(e, 0.9),
+                 100.0 * quantile(e, 0.99), 100.0 * quantile(e, 1.0));
+    }
+    fmt::print(out, "{:8.3f}{:8.3f} {:9.4g}\n", study.worst_h0[k], study.worst_sigma[k], study.worst_xi[k]);
   }
+}
+
+namespace {
+
+// Of one call, which gets the number of the call; the least of several rounds.
+template <typename Call>
+double nanoseconds(const Call& call) {
+  constexpr int kRounds = 10;
+  constexpr int kCalls = 20'000;
+  double least = 1e9;
+  double sum = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < kCalls; ++i) {
+      sum += call(static_cast<double>(i) / kCalls);
+    }
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+    least = std::min(least, taken.count() / kCalls);
+  }
+  QS_CHECK(std::isfinite(sum));  // and so it has to be computed
+  return least;
+}
+
+}  // namespace
+
+void print_times(std::ostream& out) {
+  const LagrangeTable lagrange;
+  const auto h0 = [](double share) { return 0.5 + 3.0 * share; };
+  constexpr double kSigma = 0.9;
+  const double spline_column =
+      nanoseconds([&](double share) { return section_table_column(h0(share), kSigma)->form.area; });
+  const double lagrange_column =
+      nanoseconds([&](double share) { return lagrange.column(h0(share), kSigma)->form.area; });
+  const SectionTableColumn by_spline = *section_table_column(h0(0.0), kSigma);
+  const LagrangeColumn by_lagrange = *lagrange.column(h0(0.0), kSigma);
+  const double spline =
+      nanoseconds([&](double share) { return section_coefficients(by_spline, 0.1 + 5.0 * share).b33; });
+  const double lagrange_one =
+      nanoseconds([&](double share) { return section_coefficients(by_lagrange, 0.1 + 5.0 * share).b33; });
+  fmt::print(out, "a section's column: spline {:.0f} ns, Lagrange {:.0f} ns; ", spline_column,
+             lagrange_column);
+  fmt::print(out, "its coefficients at a frequency: spline {:.0f} ns, Lagrange {:.0f} ns\n", spline,
+             lagrange_one);
 }
 
 }  // namespace quickstrip

@@ -1,4 +1,5 @@
-// The error of the section table against the direct solution at seeded random points, off the nodes.
+// The error of the section table against the direct solution at seeded random points, off the nodes: by the
+// spline that core uses, and by Lagrange interpolation on the same nodes. And what both cost.
 #pragma once
 
 #include <array>
@@ -21,9 +22,12 @@ enum class SectionRegion { kPractical, kFull };
 
 /// Errors of every coefficient at every point, sorted. Relative; 24 to the 22-44 mean, 44 to itself or that
 /// mean if larger; where a value crosses zero, to 1 % of its largest over frequency.
+using CoefficientErrors = std::array<std::vector<double>, kNumCoefficients>;
+
 struct AccuracyStudy {
-  std::array<std::vector<double>, kNumCoefficients> errors;
-  std::array<double, kNumCoefficients> worst_h0{};
+  CoefficientErrors spline;
+  CoefficientErrors lagrange;
+  std::array<double, kNumCoefficients> worst_h0{};  // of the spline
   std::array<double, kNumCoefficients> worst_sigma{};
   std::array<double, kNumCoefficients> worst_xi{};
   std::size_t not_converged = 0;
@@ -37,5 +41,9 @@ AccuracyStudy measure_accuracy(SectionRegion region, int num_points, std::uint32
 double quantile(const std::vector<double>& sorted, double share);
 
 void print_accuracy(const AccuracyStudy& study, const char* title, std::ostream& out);
+
+/// Nanoseconds for a section's column and for its coefficients at one frequency, by a plain loop; the
+/// benchmark is tests/bench/section_table_bench.cpp.
+void print_times(std::ostream& out);
 
 }  // namespace quickstrip

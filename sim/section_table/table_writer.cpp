@@ -9,6 +9,7 @@
 #include <ostream>
 #include <span>
 
+#include "sim/section_table/spline_coefficients.hpp"
 #include "sim/section_table/table_values.hpp"
 
 namespace quickstrip {
@@ -16,23 +17,45 @@ namespace {
 
 class Fnv1a64 {
  public:
-  void add_bytes(std::uint64_t value, int num_bytes) {
-    for (int i = 0; i < num_bytes; ++i) {
-      hash_ = (hash_ ^ ((value >> (8 * i)) & 0xffU)) * 0x100000001b3U;
-    }
-  }
+  void add(std::uint32_t word) { hash_ = (hash_ ^ word) * 0x100000001b3U; }
   [[nodiscard]] std::uint64_t value() const { return hash_; }
 
  private:
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-std::vector<double> log_nodes() {
-  std::vector<double> nodes;
+// The nodes as core holds them.
+struct CoreNodes {
+  std::vector<double> log_h0_below;  // up to H0 = 1
+  std::vector<double> log_h0_above;  // from H0 = 1
+  std::vector<double> fullness;
+  std::vector<double> frequency;
+};
+
+CoreNodes core_nodes() {
+  CoreNodes nodes;
   for (const double h0 : table_h0_nodes()) {
-    nodes.push_back(std::log(h0));
+    if (h0 <= 1.0) {
+      nodes.log_h0_below.push_back(std::log(h0));
+    }
+    if (h0 >= 1.0) {
+      nodes.log_h0_above.push_back(std::log(h0));
+    }
+  }
+  nodes.fullness.assign(table_fullness_nodes().begin(), table_fullness_nodes().end());
+  for (const double kappa : table_kappa_nodes()) {
+    nodes.frequency.push_back(frequency_coordinate(kappa));
   }
   return nodes;
+}
+
+// Of one range of H0 from its values.
+void append_coefficients(std::span<const double> log_h0, const CoreNodes& nodes, std::vector<double> values,
+                         GeneratedTable& table) {
+  replace_by_spline_coefficients({log_h0, nodes.fullness, nodes.frequency}, kNumSectionQuantities, values);
+  for (const double coefficient : values) {
+    table.coefficients.push_back(static_cast<float>(coefficient));
+  }
 }
 
 void write_nodes(std::ostream& out, const char* name, std::span<const double> nodes) {
@@ -54,39 +77,45 @@ void write_nodes(std::ostream& out, const char* name, std::span<const double> no
 
 GeneratedTable generate_table(const std::function<void(double)>& progress) {
   GeneratedTable table;
-  std::size_t done = 0;
+  std::vector<double> values;  // [H0][fullness][kappa][quantity]
   const std::size_t sections = table_h0_nodes().size() * table_fullness_nodes().size();
+  const std::size_t row = table_kappa_nodes().size() * kNumSectionQuantities;
   for (const double h0 : table_h0_nodes()) {
     for (const double p : table_fullness_nodes()) {
       for (const double kappa : table_kappa_nodes()) {
         const TableEntry entry = table_entry(h0, p, kappa);
         table.not_converged += entry.converged ? 0 : 1;
         table.most_multipoles = std::max(table.most_multipoles, entry.num_multipoles);
-        for (const double value : entry.quantities) {
-          table.values.push_back(static_cast<float>(value));
-        }
+        values.insert(values.end(), entry.quantities.begin(), entry.quantities.end());
       }
-      ++done;
       if (progress) {
-        progress(static_cast<double>(done) / static_cast<double>(sections));
+        progress(static_cast<double>(values.size() / row) / static_cast<double>(sections));
       }
     }
   }
+  const CoreNodes nodes = core_nodes();
+  const std::size_t of_one_h0 = table_fullness_nodes().size() * row;
+  const auto fold = values.begin() + static_cast<std::ptrdiff_t>((nodes.log_h0_below.size() - 1) * of_one_h0);
+  append_coefficients(nodes.log_h0_below, nodes,
+                      {values.begin(), fold + static_cast<std::ptrdiff_t>(of_one_h0)}, table);
+  append_coefficients(nodes.log_h0_above, nodes, {fold, values.end()}, table);
   return table;
 }
 
 std::uint64_t table_checksum(const GeneratedTable& table) {
   Fnv1a64 hash;
-  hash.add_bytes(kSectionTableVersion, 4);
-  const std::vector<double> log_h0 = log_nodes();
-  for (const std::span<const double> nodes :
-       {std::span<const double>(log_h0), table_fullness_nodes(), table_kappa_nodes()}) {
-    for (const double node : nodes) {
-      hash.add_bytes(std::bit_cast<std::uint64_t>(node), 8);
+  hash.add(kSectionTableVersion);
+  const CoreNodes nodes = core_nodes();
+  for (const std::vector<double>& axis :
+       {nodes.log_h0_below, nodes.log_h0_above, nodes.fullness, nodes.frequency}) {
+    for (const double node : axis) {
+      const auto bits = std::bit_cast<std::uint64_t>(node);
+      hash.add(static_cast<std::uint32_t>(bits));
+      hash.add(static_cast<std::uint32_t>(bits >> 32));
     }
   }
-  for (const float value : table.values) {
-    hash.add_bytes(std::bit_cast<std::uint32_t>(value), 4);
+  for (const float coefficient : table.coefficients) {
+    hash.add(std::bit_cast<std::uint32_t>(coefficient));
   }
   return hash.value();
 }
@@ -99,18 +128,20 @@ void write_table(const GeneratedTable& table, std::ostream& out) {
          "// clang-format off\n"
          "namespace quickstrip::section_table_data {\n"
          "namespace {\n\n";
-  write_nodes(out, "kLogH0Nodes", log_nodes());
-  write_nodes(out, "kFullnessNodes", table_fullness_nodes());
-  write_nodes(out, "kKappaNodes", table_kappa_nodes());
+  const CoreNodes nodes = core_nodes();
+  write_nodes(out, "kLogH0NodesBelow", nodes.log_h0_below);
+  write_nodes(out, "kLogH0NodesAbove", nodes.log_h0_above);
+  write_nodes(out, "kFullnessNodes", nodes.fullness);
+  write_nodes(out, "kFrequencyNodes", nodes.frequency);
   fmt::print(out, "constexpr float kStored[] = {{\n");
   const std::size_t row = table_kappa_nodes().size() * kNumSectionQuantities;
   std::size_t column = 0;
-  for (std::size_t i = 0; i < table.values.size(); ++i) {
-    std::string text = fmt::format("{}", table.values[i]);
+  for (std::size_t i = 0; i < table.coefficients.size(); ++i) {
+    std::string text = fmt::format("{}", table.coefficients[i]);
     if (text.find_first_of(".e") == std::string::npos) {
       text += ".";
     }
-    text += i + 1 < table.values.size() ? "F," : "F";
+    text += i + 1 < table.coefficients.size() ? "F," : "F";
     if (column + text.size() > 110) {
       out << "\n";
       column = 0;
@@ -125,21 +156,23 @@ void write_table(const GeneratedTable& table, std::ostream& out) {
   out << "};\n\n}  // namespace\n\n";
   fmt::print(out, "const std::uint32_t kVersion = {};\n", kSectionTableVersion);
   fmt::print(out, "const std::uint64_t kChecksum = {:#018x};\n", table_checksum(table));
-  out << "const std::span<const double> kLogH0(kLogH0Nodes);\n"
+  fmt::print(out, "const double kGreatestKappa = {};\n", table_kappa_nodes().back());
+  out << "const std::span<const double> kLogH0Below(kLogH0NodesBelow);\n"
+         "const std::span<const double> kLogH0Above(kLogH0NodesAbove);\n"
          "const std::span<const double> kFullness(kFullnessNodes);\n"
-         "const std::span<const double> kKappa(kKappaNodes);\n"
-         "const std::span<const float> kValues(kStored);\n\n"
+         "const std::span<const double> kFrequency(kFrequencyNodes);\n"
+         "const std::span<const float> kCoefficients(kStored);\n\n"
          "}  // namespace quickstrip::section_table_data\n";
 }
 
-double largest_difference(const GeneratedTable& table, std::size_t num_values, const float* values) {
-  if (num_values != table.values.size()) {
+double largest_difference(const GeneratedTable& table, std::span<const float> coefficients) {
+  if (coefficients.size() != table.coefficients.size()) {
     return 1.0;
   }
   double worst = 0.0;
-  for (std::size_t i = 0; i < num_values; ++i) {
-    const double now = static_cast<double>(table.values[i]);
-    const double then = static_cast<double>(values[i]);
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    const double now = static_cast<double>(table.coefficients[i]);
+    const double then = static_cast<double>(coefficients[i]);
     worst = std::max(worst, std::abs(now - then) / (1.0 + std::abs(now)));
   }
   return worst;
