@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and nothing when none is.
-#   .cmake/install_packages.sh build|test|demo ...
+#   .cmake/install_packages.sh build|test|demo|fuzz ...
 # Needs Debian 12, Ubuntu 24.04 or newer (CMake 3.25), and root or sudo when something is missing.
 set -euo pipefail
 
@@ -9,6 +9,7 @@ build=(build-essential cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev n
 # One version of the clang tools everywhere: another formats and warns differently.
 test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux)
 demo=(iproute2 util-linux gnuplot-nox)
+fuzz=(clang-14 libclang-rt-14-dev)
 
 wanted=()
 for set in "$@"; do
@@ -16,7 +17,8 @@ for set in "$@"; do
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     demo) wanted+=("${demo[@]}") ;;
-    *) echo "usage: install_packages.sh build|test|demo ..." >&2; exit 2 ;;
+    fuzz) wanted+=("${fuzz[@]}") ;;
+    *) echo "usage: install_packages.sh build|test|demo|fuzz ..." >&2; exit 2 ;;
   esac
 done
 

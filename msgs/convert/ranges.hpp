@@ -30,6 +30,18 @@ inline constexpr Range kWaterDensity_kg_m3{950.0, 1060.0};
 inline constexpr Range kViscosity_m2_s{0.5e-6, 2.5e-6};
 inline constexpr Range kGravity_m_s2{9.7, 9.9};
 
+/// Of the longest reach of the stations, and of the trim: beyond, it is a misprint, and the theory has no
+/// meaning (sections are cut vertically to the base line).
+inline constexpr double kLeastSpan = 0.8;  // [lpp]
+inline constexpr double kMaxTrim = 0.05;   // [lpp]
+
+/// A hundredth of the breadth floats no ship, and a section ten times as wide as the widest tabulated.
+inline Range draught_range_m(const Hull& hull) {
+  return {std::fmax(kDraught_m.from, 0.01 * hull.breadth), kDraught_m.to};
+}
+inline bool is_trim(double draught_aft, double draught_fwd, const Hull& hull) {
+  return std::fabs(draught_aft - draught_fwd) <= kMaxTrim * hull.lpp;
+}
 inline Range kg_range_m(const Hull& hull) {
   return {0.001, 2.0 * hull.breadth};
 }

@@ -108,8 +108,8 @@ Conversion check_loading(const loading_t& m, const Hull& hull) {
   }
   using M = loading_t;
   const RangeCheck checks[] = {
-      {M::VALID_DRAUGHTS, "draught_aft_m", m.draught_aft_m, kDraught_m},
-      {M::VALID_DRAUGHTS, "draught_fwd_m", m.draught_fwd_m, kDraught_m},
+      {M::VALID_DRAUGHTS, "draught_aft_m", m.draught_aft_m, draught_range_m(hull)},
+      {M::VALID_DRAUGHTS, "draught_fwd_m", m.draught_fwd_m, draught_range_m(hull)},
       {M::VALID_KG, "kg_m", m.kg_m, kg_range_m(hull)},
       {M::VALID_FREE_SURFACE, "free_surface_correction_m", m.free_surface_correction_m,
        free_surface_range_m(hull)},
@@ -125,11 +125,12 @@ Conversion check_loading(const loading_t& m, const Hull& hull) {
   return check_ranges(m.valid, checks);
 }
 
-// A draught above the highest offset, or above the breadth, is a slip of the hand.
+// A draught above the highest offset or above the breadth, or one far from the other, is a slip of the hand.
 Conversion check_draughts(const loading_t& m, const Hull& hull) {
   const double deck = highest_deck(hull);
   const double greatest = std::fmax(m.draught_aft_m, m.draught_fwd_m);
-  const bool fits = (deck < 0.0 || greatest < deck) && greatest < hull.breadth;
+  const bool fits = (deck < 0.0 || greatest < deck) && greatest < hull.breadth &&
+                    is_trim(m.draught_aft_m, m.draught_fwd_m, hull);
   if (has(m.valid, loading_t::VALID_DRAUGHTS) && !fits) {
     return {Refusal::kInconsistent, m.draught_aft_m > m.draught_fwd_m ? "draught_aft_m" : "draught_fwd_m"};
   }

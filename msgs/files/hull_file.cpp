@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::size_t kMaxHullFileBytes = 4'000'000;  // 64 stations of 128 points take some 200 kB
 constexpr double kDefaultSteerage_kn = 3.0;
+constexpr double kLeastBreadth = 0.75;       // [breadth] of the widest station
 constexpr double kNearestStations = 1.0e-6;  // [lpp] nearer ones are one station typed twice
 
 void read_particulars(const TomlTable& root, Hull& hull) {
@@ -74,6 +75,33 @@ Station read_station(const TomlTable& table, const Hull& hull) {
   return station;
 }
 
+/// The stations reach along the ship, and the widest is as wide as the particulars say. To within what
+/// bulbous bows, overhangs and flare do; what is less than that `check` remarks upon.
+void check_extent(const TomlTable& root, const Hull& hull) {
+  const TomlTable particulars = root.table("particulars");
+  const double span = hull.stations.back().x - hull.stations.front().x;
+  if (!(span >= kLeastSpan * hull.lpp)) {
+    particulars.refuse("lpp_m",
+                       fmt::format("stations over at least four fifths of it are wanted: they reach from "
+                                   "x_m = {:g} to {:g}",
+                                   hull.stations.front().x, hull.stations.back().x));
+  }
+  double widest = 0.0;
+  for (const Station& station : hull.stations) {
+    widest = std::max(widest, station.breadth);
+    for (const Offset& point : station.offsets) {
+      widest = std::max(widest, 2.0 * point.y);
+    }
+  }
+  if (!(widest >= kLeastBreadth * hull.breadth)) {
+    particulars.refuse(
+        "breadth_m",
+        fmt::format("the breadth of the stations is wanted: the widest has {:g} m (half-breadths are "
+                    "half of it)",
+                    widest));
+  }
+}
+
 void read_stations(const TomlTable& root, Hull& hull) {
   const std::vector<TomlTable> tables = root.tables("station", kMaxStations);
   if (tables.size() < 3) {
@@ -98,6 +126,7 @@ void read_stations(const TomlTable& root, Hull& hull) {
   for (const std::size_t i : order) {
     QS_CHECK(hull.stations.push_back(stations[i]));
   }
+  check_extent(root, hull);
 }
 
 NumberRange with_unit(Range range, std::string_view unit) {
@@ -105,7 +134,7 @@ NumberRange with_unit(Range range, std::string_view unit) {
 }
 
 void read_draughts(const TomlTable& table, const Hull& hull, Loading& loading) {
-  const NumberRange draughts = with_unit(kDraught_m, "m above the base line");
+  const NumberRange draughts = with_unit(draught_range_m(hull), "m above the base line");
   loading.draught_aft = table.number("draught_aft_m", draughts);
   loading.draught_fwd = table.number("draught_fwd_m", draughts);
   const double deck = highest_deck(hull);
@@ -117,6 +146,11 @@ void read_draughts(const TomlTable& table, const Hull& hull, Loading& loading) {
     if (!(draught < hull.breadth)) {
       table.refuse(key, fmt::format("less than the breadth, {:g} m, is wanted", hull.breadth));
     }
+  }
+  if (!is_trim(loading.draught_aft, loading.draught_fwd, hull)) {
+    table.refuse("draught_fwd_m",
+                 fmt::format("within {:g} m of draught_aft_m = {:g} is wanted, a trim of 5 % of lpp",
+                             kMaxTrim * hull.lpp, loading.draught_aft));
   }
 }
 
@@ -213,9 +247,7 @@ void read_grid(const TomlTable& root, Hull& hull) {
 void read_all(const TomlTable& root, Hull& hull) {
   root.allow_only({"schema", "name", "particulars", "station", "loading", "roll_damping", "point", "slamming",
                    "freeboard", "propeller", "handling", "grid"});
-  if (root.number("schema", {0.0, 1.0e6, ""}) != 1.0) {
-    root.refuse("schema", "1 is wanted, the only one so far");
-  }
+  root.require_schema_1();
   hull.name = Name(root.name("name"));
   read_particulars(root, hull);
   read_stations(root, hull);

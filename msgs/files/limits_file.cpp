@@ -218,9 +218,7 @@ void read_criterion(const TomlTable& table, const Hull& hull, const TomlTable& r
 
 LimitsProfile read_all(const TomlTable& root, const Hull& hull) {
   root.allow_only({"schema", "name", "criterion"});
-  if (root.number("schema", {0.0, 1.0e6, ""}) != 1.0) {
-    root.refuse("schema", "1 is wanted, the only one so far");
-  }
+  root.require_schema_1();
   LimitsProfile profile;
   profile.name = Name(root.name("name"));
   for (const TomlTable& table : root.tables("criterion", kMaxCriteria)) {

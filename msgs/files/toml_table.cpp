@@ -11,6 +11,7 @@
 
 #include "core/base/capacity.hpp"
 #include "msgs/files/printable.hpp"
+#include "msgs/files/toml_letters.hpp"
 
 namespace quickstrip {
 
@@ -31,18 +32,30 @@ namespace {
 constexpr std::size_t kMaxShownItems = 8;     // of an array: a refusal is one line
 constexpr std::size_t kMaxComparedKey = 100;  // a longer key resembles none [bytes]
 
+/// As one would type it, in one line: 9.55 and not 9.5500000000000007.
 std::string shown(const toml::node& node) {
   if (node.is_string()) {
     return fmt::format("\"{}\"", printable(node.ref<std::string>()));
   }
-  if (const toml::array* array = node.as_array(); array != nullptr && array->size() > kMaxShownItems) {
-    return fmt::format("[{} items]", array->size());
+  if (node.is_floating_point()) {
+    return fmt::format("{}", node.ref<double>());
+  }
+  if (const toml::array* array = node.as_array(); array != nullptr) {
+    if (array->size() > kMaxShownItems) {
+      return fmt::format("[{} items]", array->size());
+    }
+    std::string list;
+    for (const toml::node& item : *array) {
+      list += (list.empty() ? "" : ", ") + (item.is_array() ? std::string("[...]") : shown(item));
+    }
+    return fmt::format("[{}]", list);
+  }
+  if (node.is_table()) {
+    return "{...}";
   }
   std::ostringstream stream;
   node.visit([&stream](const auto& value) { stream << value; });
-  std::string text = stream.str();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return printable(text);
+  return printable(stream.str());
 }
 
 [[noreturn]] void refuse_node(const std::string& file, const std::string& field, const toml::node& node,
@@ -94,6 +107,10 @@ std::string_view nearest(std::string_view key, std::initializer_list<std::string
 TomlTable::TomlTable(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 TomlTable TomlTable::parse(std::string_view text, std::string_view file) {
+  if (const auto letter = letter_outside_quotes(text)) {
+    throw FileError{fmt::format("{}: line {}: '{}' outside quotes: keys and numbers are ASCII", file,
+                                letter->line, letter->letter)};
+  }
   try {
     auto document = std::make_shared<const toml::table>(toml::parse(text));
     const toml::table* root = document.get();
@@ -134,6 +151,13 @@ std::optional<double> TomlTable::optional_number(std::string_view key, NumberRan
 
 double TomlTable::number_or(std::string_view key, NumberRange range, double fallback) const {
   return has(key) ? number(key, range) : fallback;
+}
+
+void TomlTable::require_schema_1() const {
+  const toml::node* node = impl_->table->get("schema");
+  if (node == nullptr || !node->is_number() || node->value<double>() != 1.0) {
+    refuse("schema", "schema = 1 is wanted, the only one so far");
+  }
 }
 
 std::string TomlTable::text(std::string_view key) const {

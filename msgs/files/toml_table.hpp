@@ -37,6 +37,8 @@ class TomlTable {
   [[nodiscard]] double number(std::string_view key, NumberRange range) const;
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, NumberRange range) const;
   [[nodiscard]] double number_or(std::string_view key, NumberRange range, double fallback) const;
+  /// Throws FileError unless `schema = 1`, the only one so far.
+  void require_schema_1() const;
   [[nodiscard]] std::string text(std::string_view key) const;
   /// A date and time with its offset (2019-08-30T00:00:00Z), 1970 ... 2100; microseconds since the epoch.
   [[nodiscard]] std::int64_t utime(std::string_view key) const;

@@ -12,9 +12,7 @@ constexpr std::size_t kMaxLegs = 20'000;
 
 Voyage read_all(const TomlTable& root) {
   root.allow_only({"schema", "name", "end_utc", "leg"});
-  if (root.number("schema", {0.0, 1.0e6, ""}) != 1.0) {
-    root.refuse("schema", "1 is wanted, the only one so far");
-  }
+  root.require_schema_1();
   Voyage voyage;
   voyage.name = root.name("name");
   voyage.end_utime = root.utime("end_utc");

@@ -8,11 +8,11 @@
 #include "core/advisor.hpp"
 #include "core/hull/imo_roll_period.hpp"
 #include "core/hull/lewis_section.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/check_remarks.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
-#include "sim/hull_tool/input_error.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "core/hull/lewis_section.hpp"
 #include "core/strip/section_table.hpp"
+#include "msgs/cli/list_option.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
-#include "sim/hull_tool/input_error.hpp"
-#include "sim/hull_tool/list_option.hpp"
 #include "sim/section_table/multipole_solver.hpp"
 
 namespace quickstrip::hull_tool {
@@ -87,6 +87,7 @@ void add_coefficients(CLI::App& app) {
       "the "
       "waterline and the centre plane, z up.");
   command->callback([options, source] {
+    refuse_too_many("--h0, --sigma, --xi", {options->h0.size(), options->sigma.size(), options->xi.size()});
     options->source = *source == "direct" ? CoefficientSource::kDirect : CoefficientSource::kTable;
     print_result(coefficients_csv(*options));
   });

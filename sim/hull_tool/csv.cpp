@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "core/base/check.hpp"
-#include "sim/hull_tool/input_error.hpp"
+#include "msgs/cli/run_tool.hpp"
 
 namespace quickstrip::hull_tool {
 

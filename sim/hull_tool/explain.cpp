@@ -90,7 +90,7 @@ std::string explain(Error error, const FloatingHull& ship, const LoadingOptions&
     case Error::kTooFewStations:
       return too_few(ship, options);
     default:
-      return fmt::format("{}: {}", ship.file, message(error));
+      return fmt::format("{}: [loading] and [[station]] together: {}", ship.file, message(error));
   }
 }
 

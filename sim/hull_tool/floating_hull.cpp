@@ -4,24 +4,12 @@
 
 #include <cstdio>
 
+#include "msgs/cli/list_option.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "msgs/files/hull_file.hpp"
-#include "sim/hull_tool/input_error.hpp"
-#include "sim/hull_tool/list_option.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
-
-void add_optional_number(CLI::App& command, const std::string& name, std::optional<double>& value,
-                         ListRange range, const std::string& description) {
-  const auto parse = [name, range, &value](const std::string& text) {
-    const auto values = parse_list(name, text, range);
-    if (values.size() != 1) {
-      throw CLI::ValidationError(name, fmt::format("{}: one number is wanted", text));
-    }
-    value = values.front();
-  };
-  command.add_option_function<std::string>(name, parse, description)->type_name("X");
-}
 
 Loading loading_of(const FloatingHull& ship, const LoadingOptions& options) {
   Loading loading = ship.hull.loading;
@@ -43,12 +31,12 @@ void add_hull_argument(CLI::App& command, std::string& file) {
 }
 
 void add_loading_options(CLI::App& command, LoadingOptions& options) {
-  add_optional_number(command, "--draught-aft-m", options.draught_aft, {0.001, 100.0},
-                      "draught at the aft perpendicular above base [m]; default: the file's");
-  add_optional_number(command, "--draught-fwd-m", options.draught_fwd, {0.001, 100.0},
-                      "draught at the forward perpendicular above base [m]; default: the file's");
-  add_optional_number(command, "--kg-m", options.kg, {0.001, 200.0},
-                      "height of the centre of gravity above base, solid [m]; default: the file's");
+  add_number(command, "--draught-aft-m", options.draught_aft, {0.001, 100.0},
+             "draught at the aft perpendicular above base [m]; default: the file's");
+  add_number(command, "--draught-fwd-m", options.draught_fwd, {0.001, 100.0},
+             "draught at the forward perpendicular above base [m]; default: the file's");
+  add_number(command, "--kg-m", options.kg, {0.001, 200.0},
+             "height of the centre of gravity above base, solid [m]; default: the file's");
 }
 
 std::unique_ptr<FloatingHull> float_hull(const std::string& file, const LoadingOptions& options) {

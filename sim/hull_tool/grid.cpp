@@ -11,13 +11,13 @@
 
 #include "core/advice/nordforsk.hpp"
 #include "core/advisor.hpp"
+#include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
-#include "sim/hull_tool/input_error.hpp"
-#include "sim/hull_tool/list_option.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/spectrum_options.hpp"
 #include "sim/sea_files/sea_series.hpp"
@@ -171,7 +171,7 @@ void add_grid(CLI::App& app) {
   add_method_options(*command, options->method);
   add_spectrum_options(*command, options->spectrum, false);
   CLI::Option* shape = command->get_option("--spectrum");
-  add_number(*command, "--dir-from-deg", options->dir_from_deg, {-359.999999, 359.999999},
+  add_number(*command, "--dir-from-deg", options->dir_from_deg, kDirections_deg,
              "where the waves come from, true [deg]")
       ->needs(shape);
   CLI::Option* sea = command->add_option("--sea", options->sea_file, "sea file, or ndbc:PREFIX");

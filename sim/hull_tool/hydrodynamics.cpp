@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "core/strip/hydrodynamic_coefficients.hpp"
+#include "msgs/cli/list_option.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
-#include "sim/hull_tool/list_option.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
 
 namespace quickstrip::hull_tool {
@@ -49,7 +49,10 @@ void add_hydrodynamics(CLI::App& app) {
   command->footer(
       "Potential flow only: the added roll damping is not in b44. The V theta and V psi terms stand in a, "
       "SEAWAY's habit.");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    refuse_too_many("--speed-kn, --omega-e", {options->speeds_kn.size(), options->omegas_e.size(), 18});
+    run(*options);
+  });
 }
 
 }  // namespace quickstrip::hull_tool

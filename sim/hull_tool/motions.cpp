@@ -6,10 +6,10 @@
 
 #include "core/advice/advice.hpp"
 #include "core/strip/equations_of_motion.hpp"
+#include "msgs/cli/list_option.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
-#include "sim/hull_tool/list_option.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
 
@@ -57,7 +57,7 @@ void add_motions(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   add_strip_options(*command, options->strip);
   add_list(*command, "--speed-kn", options->speeds_kn, {0.0, 60.0}, "speeds [kn]")->required();
-  add_list(*command, "--mu-deg", options->mus_deg, {-359.999999, 359.999999},
+  add_list(*command, "--mu-deg", options->mus_deg, kDirections_deg,
            "wave directions: 0 following, 90 from starboard, 180 head [deg]")
       ->required();
   add_list(*command, "--omega", options->omegas, {1e-3, 20.0}, "wave frequencies [rad/s]")->required();
@@ -66,7 +66,11 @@ void add_motions(CLI::App& app) {
   command->footer(
       "response = amp cos(omega_e t + phase) for a wave crest at G at t = 0; m/m and rad/m; roll starboard "
       "down +, pitch bow down +, yaw bow to port +.");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    refuse_too_many("--speed-kn, --mu-deg, --omega",
+                    {options->speeds_kn.size(), options->mus_deg.size(), options->omegas.size()});
+    run(*options);
+  });
 }
 
 }  // namespace quickstrip::hull_tool

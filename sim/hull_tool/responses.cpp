@@ -9,11 +9,11 @@
 #include "core/advice/cell_response.hpp"
 #include "core/advice/nordforsk.hpp"
 #include "core/strip/transfer_functions.hpp"
+#include "msgs/cli/list_option.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
-#include "sim/hull_tool/input_error.hpp"
-#include "sim/hull_tool/list_option.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/spectrum_options.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
@@ -144,14 +144,17 @@ void add_responses(CLI::App& app) {
   add_strip_options(*command, options->strip);
   add_spectrum_options(*command, options->spectrum, true);
   add_list(*command, "--speed-kn", options->speeds_kn, {0.0, 60.0}, "speeds [kn]")->required();
-  add_list(*command, "--mu-deg", options->mus_deg, {-359.999999, 359.999999},
+  add_list(*command, "--mu-deg", options->mus_deg, kDirections_deg,
            "mean wave directions: 0 following, 90 from starboard, 180 head [deg]")
       ->required();
   command->footer(
       "rms and significant (single amplitude) of slamming and deck_wetness are those of the vertical "
       "relative "
       "motion; probability is per wave encounter.");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    refuse_too_many("--speed-kn, --mu-deg", {options->speeds_kn.size(), options->mus_deg.size(), 70});
+    run(*options);
+  });
 }
 
 }  // namespace quickstrip::hull_tool

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "core/hull/lewis_section.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
-#include "sim/hull_tool/input_error.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {

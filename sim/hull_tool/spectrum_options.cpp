@@ -1,6 +1,6 @@
 #include "sim/hull_tool/spectrum_options.hpp"
 
-#include "sim/hull_tool/list_option.hpp"
+#include "msgs/cli/list_option.hpp"
 
 namespace quickstrip::hull_tool {
 

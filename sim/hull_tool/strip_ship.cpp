@@ -1,8 +1,8 @@
 #include "sim/hull_tool/strip_ship.hpp"
 
 #include "core/advice/advice.hpp"
-#include "sim/hull_tool/input_error.hpp"
-#include "sim/hull_tool/list_option.hpp"
+#include "msgs/cli/list_option.hpp"
+#include "msgs/cli/run_tool.hpp"
 
 namespace quickstrip::hull_tool {
 
@@ -10,10 +10,8 @@ void add_strip_options(CLI::App& command, StripOptions& options) {
   add_hull_argument(command, options.file);
   add_loading_options(command, options.loading);
   add_method_options(command, options.method);
-  command
-      .add_option("--roll-damping-ratio", options.roll_damping_ratio,
-                  "added roll damping as a ratio of critical, instead of the file's")
-      ->check(CLI::Range(0.0, 1.0));
+  add_number(command, "--roll-damping-ratio", options.roll_damping_ratio, {0.0, 1.0},
+             "added roll damping as a ratio of critical, instead of the file's");
 }
 
 StripShip load_strip_ship(const StripOptions& options) {

@@ -7,8 +7,8 @@
 #include <initializer_list>
 #include <optional>
 
-#include "sim/hull_tool/input_error.hpp"
-#include "sim/hull_tool/list_option.hpp"
+#include "msgs/cli/list_option.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "sim/sea_files/number_list.hpp"
 
 namespace quickstrip::hull_tool {

@@ -3,22 +3,9 @@
 // InputError (exit 1), wrong use CLI11's own errors (exit 2).
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
-
-#include "msgs/files/file_status.hpp"
+#include "msgs/cli/run_tool.hpp"
 
 namespace quickstrip::sim_tool {
-
-struct InputError {
-  std::string line;
-};
-
-inline void require(const FileStatus& status) {
-  if (!status) {
-    throw InputError{status.line()};
-  }
-}
 
 void add_log(CLI::App& app);
 void add_replay(CLI::App& app);

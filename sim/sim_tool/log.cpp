@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "msgs/cli/list_option.hpp"
 #include "sim/replay/voyage_log.hpp"
 #include "sim/sim_tool/commands.hpp"
 
@@ -39,13 +40,10 @@ void add_log(CLI::App& app) {
   command->add_option("--sea", options->sea, "Sea file, or ndbc:PREFIX of the five NDBC files")->required();
   command->add_option("--voyage", options->voyage, "Voyage file (courses and speeds)")->required();
   command->add_option("--out", options->out, "LCM log to write")->required();
-  command
-      ->add_option(
-          "--own-ship-period-s", options->log.own_ship_period_s,
-          "Own ship every so many seconds; above the advisor's stale-after (10 s) own ship goes stale "
-          "between messages")
-      ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+  add_number(*command, "--own-ship-period-s", options->log.own_ship_period_s, {0.1, 3600.0},
+             "Own ship every so many seconds; above the advisor's stale-after (10 s) own ship goes stale "
+             "between messages")
+      ->default_str("10");
   command->add_option("--prefix", options->log.prefix, "Of the channel names")->capture_default_str();
   command->callback([options] { run(*options); });
 }

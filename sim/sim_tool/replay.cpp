@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/files/ship_files.hpp"
 #include "sim/replay/advice_table.hpp"
@@ -83,11 +84,7 @@ double factor(const std::string& speed) {
   if (speed == "max") {
     return 0.0;
   }
-  double value = 0.0;
-  if (!CLI::detail::lexical_cast(speed, value) || !(value > 0.0)) {
-    throw CLI::ValidationError("--speed", speed + ": a factor above 0, or max");
-  }
-  return value;
+  return parse_list("--speed", speed, {1e-3, 1e6}).front();
 }
 
 /// To a running advisor over LCM.
@@ -221,15 +218,18 @@ void add_replay(CLI::App& app) {
   command->add_option("--speed", options->speed, "Log seconds a second, or max")->capture_default_str();
   command->add_option("--out", options->out, "LCM log of the inputs and of what the advisor says");
   command->add_option("--csv", options->csv, "One line per advice; - for standard output");
-  command
-      ->add_option("--cycle-s", options->replay.cycle_period_s,
-                   "Cycle period in log time; that of the recorded advisor where its cycles are followed")
-      ->check(CLI::Range(0.01, 86400.0))
-      ->capture_default_str();
+  add_number(*command, "--cycle-s", options->replay.cycle_period_s, {0.01, 86400.0},
+             "Cycle period in log time; that of the recorded advisor where its cycles are followed")
+      ->default_str("3600");
   StaleAfter& stale = options->session.stale_after;
-  command->add_option("--own-ship-stale-after-s", stale.own_ship_s)->capture_default_str();
-  command->add_option("--sea-stale-after-s", stale.sea_s)->capture_default_str();
-  command->add_option("--loading-stale-after-s", stale.loading_s)->capture_default_str();
+  constexpr ListRange kStaleAfter_s{0.001, 1e8};
+  add_number(*command, "--own-ship-stale-after-s", stale.own_ship_s, kStaleAfter_s,
+             "Age above which there is no advice")
+      ->default_str("10");
+  add_number(*command, "--sea-stale-after-s", stale.sea_s, kStaleAfter_s, "Likewise, of the sea")
+      ->default_str("5400");
+  add_number(*command, "--loading-stale-after-s", stale.loading_s, kStaleAfter_s, "Likewise, of a loading")
+      ->default_str("86400");
   command->add_option("--prefix", options->replay.prefix, "Of the channel names")->capture_default_str();
   add_method_options(*command, options->method);
   command->callback([options] {

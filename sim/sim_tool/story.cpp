@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "msgs/cli/list_option.hpp"
 #include "msgs/convert/text.hpp"
 #include "sim/replay/advice_log.hpp"
 #include "sim/replay/advice_table.hpp"
@@ -80,9 +81,7 @@ void add_story(CLI::App& app) {
       app.add_subcommand("story", "What the advisor said: the worst advice of each day, a line each");
   const auto options = std::make_shared<Options>();
   command->add_option("LOG", options->log, "LCM log with advice")->required();
-  command->add_option("--every-h", options->every_h, "Hours a line")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_number(*command, "--every-h", options->every_h, {0.001, 1e6}, "Hours a line")->default_str("24");
   command->add_flag("--csv", options->csv, "Every advice instead, a line of CSV each");
   command->add_option("--prefix", options->prefix, "Of the channel names")->capture_default_str();
   command->callback([options] { options->csv ? print_table(*options) : run(*options); });

@@ -1,8 +1,8 @@
-#include "sim/hull_tool/list_option.hpp"
+#include "msgs/cli/list_option.hpp"
 
 #include <gtest/gtest.h>
 
-namespace quickstrip::hull_tool {
+namespace quickstrip {
 namespace {
 
 using Values = std::vector<double>;
@@ -57,9 +57,32 @@ TEST(ListOption, RefusalNamesOptionValueAndRange) {
     parse_list("--speed-kn", "70", {0.0, 60.0});
     FAIL() << "accepted";
   } catch (const CLI::ValidationError& error) {
-    EXPECT_STREQ(error.what(), "--speed-kn: 70: 0 ... 60 is wanted");
+    EXPECT_STREQ(error.what(), "--speed-kn: 70: wanted: 0 ... 60");
   }
 }
 
+TEST(ListOption, DirectionsRunFromAboveMinus360To360AndKeepWhatWasGiven) {
+  EXPECT_EQ(parse_list("--mu-deg", "360,-359.5", kDirections_deg), (Values{360.0, -359.5}));
+  for (const char* text : {"-360", "360.001", "725", "nan"}) {
+    EXPECT_THROW(parse_list("--mu-deg", text, kDirections_deg), CLI::ValidationError) << text;
+  }
+}
+
+TEST(ListOption, NumbersOfProgramsRefuseNanAsListsDo) {
+  for (const char* text : {"nan", "inf", "-inf", "1e400", "0", "", "1 s", "0x10", "10,20"}) {
+    CLI::App app;
+    double value = 1.0;
+    add_number(app, "--cycle-s", value, {0.01, 86400.0}, "period");
+    EXPECT_THROW(app.parse(std::vector<std::string>{text, "--cycle-s"}), CLI::ParseError) << text;
+    EXPECT_EQ(value, 1.0);
+  }
+}
+
+TEST(ListOption, ListsThatCombineToMoreThanAMillionRowsAreRefused) {
+  EXPECT_NO_THROW(refuse_too_many("--a, --b", {1000, 1000}));
+  EXPECT_THROW(refuse_too_many("--a, --b", {1000, 1001}), CLI::ValidationError);
+  EXPECT_THROW(refuse_too_many("--a, --b, --c", {10'000, 10'000, 10'000}), CLI::ValidationError);
+}
+
 }  // namespace
-}  // namespace quickstrip::hull_tool
+}  // namespace quickstrip

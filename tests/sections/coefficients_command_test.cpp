@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "sim/hull_tool/input_error.hpp"
+#include "msgs/cli/run_tool.hpp"
 #include "tests/sections/golden_sections.hpp"
 
 namespace quickstrip::hull_tool {

@@ -1,18 +1,19 @@
-#include "sim/hull_tool/list_option.hpp"
+#include "msgs/cli/list_option.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 
-namespace quickstrip::hull_tool {
+namespace quickstrip {
 namespace {
 
 constexpr std::size_t kMaxValues = 10'000;
+constexpr std::size_t kMaxRows = 1'000'000;
 constexpr double kStepRounding = 1e-9;  // of a step: decimals such as 0.1 are not exact
 
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view wanted) {
-  throw CLI::ValidationError(std::string(option), fmt::format("{}: {} is wanted", text, wanted));
+  throw CLI::ValidationError(std::string(option), fmt::format("{}: wanted: {}", text, wanted));
 }
 
 double parse_number(std::string_view option, std::string_view text) {
@@ -59,6 +60,14 @@ void append_range(std::string_view option, std::string_view text, std::vector<do
   values.push_back(to);
 }
 
+double one_number(std::string_view option, std::string_view text, ListRange range) {
+  const std::vector<double> values = parse_list(option, text, range);
+  if (values.size() != 1) {
+    refuse(option, text, "one number");
+  }
+  return values.front();
+}
+
 }  // namespace
 
 std::vector<double> parse_list(std::string_view option, std::string_view text, ListRange range) {
@@ -74,8 +83,10 @@ std::vector<double> parse_list(std::string_view option, std::string_view text, L
     refuse(option, text, fmt::format("at most {} values", kMaxValues));
   }
   for (const double value : values) {
-    if (!(value >= range.from && value <= range.to)) {
-      refuse(option, fmt::format("{:g}", value), fmt::format("{:g} ... {:g}", range.from, range.to));
+    const bool is_above = range.from_excluded ? value > range.from : value >= range.from;
+    if (!(is_above && value <= range.to)) {
+      refuse(option, fmt::format("{}", value),
+             fmt::format("{}{} ... {}", range.from_excluded ? "above " : "", range.from, range.to));
     }
   }
   return values;
@@ -89,16 +100,30 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<double
   return app.add_option_function<std::string>(name, parse, description)->type_name("LIST");
 }
 
+void refuse_too_many(const char* options, std::initializer_list<std::size_t> counts) {
+  std::size_t rows = 1;
+  for (const std::size_t count : counts) {  // each at most kMaxValues: no overflow for four of them
+    rows *= count;
+  }
+  if (rows > kMaxRows) {
+    refuse(options, fmt::format("{} combinations", rows), fmt::format("at most {}", kMaxRows));
+  }
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& value, ListRange range,
                         const std::string& description) {
   const auto parse = [name, range, &value](const std::string& text) {
-    const std::vector<double> values = parse_list(name, text, range);
-    if (values.size() != 1) {
-      refuse(name, text, "one number");
-    }
-    value = values.front();
+    value = one_number(name, text, range);
   };
   return app.add_option_function<std::string>(name, parse, description)->type_name("X");
 }
 
-}  // namespace quickstrip::hull_tool
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& value, ListRange range,
+                        const std::string& description) {
+  const auto parse = [name, range, &value](const std::string& text) {
+    value = one_number(name, text, range);
+  };
+  return app.add_option_function<std::string>(name, parse, description)->type_name("X");
+}
+
+}  // namespace quickstrip

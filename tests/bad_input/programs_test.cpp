@@ -1,0 +1,211 @@
+// The programs on bad input: exit 1 and one line for bad files, exit 2 for wrong use, nothing on standard
+// output, no file half written; and what `check` passes the advisor loads.
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "firmware/session/session.hpp"
+#include "msgs/files/ship_files.hpp"
+#include "tests/bad_input/edited_text.hpp"
+
+namespace quickstrip::test {
+namespace {
+
+const std::string kSource = QUICKSTRIP_SOURCE_DIR;
+const std::string kHull = QUICKSTRIP_HULL_PROGRAM;
+const std::string kSim = QUICKSTRIP_SIM_PROGRAM;
+const std::string kAdvisor = QUICKSTRIP_ADVISOR_PROGRAM;
+const std::string kS175 = kSource + "/sim/hulls/s175.hull.toml";
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+class Programs : public testing::Test {
+ protected:
+  Outcome run(const std::string& command) {
+    const std::string line =
+        "cd " + folder_.path().string() + " && timeout 60 " + command + " >.out 2>.err </dev/null";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(".out"), text_of(".err")};
+  }
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ifstream file(folder_.file(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  [[nodiscard]] std::size_t num_files() const {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+      count += entry.path().filename().string().front() == '.' ? 0U : 1U;
+    }
+    return count;
+  }
+  void expect_bad(const std::string& command, const std::vector<std::string>& words) {
+    const std::size_t before = num_files();
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 1) << command << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << command;
+    EXPECT_EQ(num_files(), before) << command << ": left something behind";
+    ASSERT_FALSE(outcome.err.empty()) << command;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << command << ": not one line: " << outcome.err;
+    expect_line(command, outcome.err.substr(0, outcome.err.size() - 1), words);
+  }
+  void expect_wrong_use(const std::string& command, const std::vector<std::string>& words) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 2) << command << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << command;
+    for (const std::string& word : words) {
+      EXPECT_NE(outcome.err.find(word), std::string::npos)
+          << command << ": \"" << word << "\" not in " << outcome.err;
+    }
+  }
+
+  Folder folder_{"programs"};
+};
+
+TEST_F(Programs, BadFilesExitOneWithOneLineAndLeaveNothingBehind) {
+  const std::string storm = kSource + "/sim/storms/swell_day_41010.sea";
+  const std::string bad = folder_.file("bad.toml", "schema = 1\n");
+  const std::string text = folder_.file("text.log", "this is no log");
+  const std::string empty = folder_.file("empty.log", "");
+  const std::string voyage =
+      folder_.file("long.toml",
+                   "schema = 1\nname = \"a century\"\nend_utc = 2099-09-02T06:00:00Z\n[[leg]]\nfrom_utc = "
+                   "1999-09-02T00:00:00Z\nheading_deg = 0\nspeed_kn = 1\n");
+  expect_bad(kHull + " check none.toml", {"none.toml: no such file"});
+  expect_bad(kHull + " check .", {".: a folder"});
+  expect_bad(kHull + " check bad.toml", {"bad.toml: name: missing"});
+  expect_bad(kHull + " grid " + kS175 + " --sea none.sea", {"none.sea: no such file"});
+  expect_bad(kHull + " grid " + kS175 + " --sea bad.toml", {"bad.toml:1: title = schema = 1"});
+  expect_bad(kHull + " grid " + kS175 + " --sea ndbc:./none", {"nonew*: files = 0"});
+  expect_bad(kHull + " grid " + kS175 + " --sea " + storm + " --at 2030-01-01T00:00Z",
+             {"--at = 2030", "90 minutes"});
+  expect_bad(kHull + " hydrostatics " + kS175 + " --draught-aft-m 0.001 --draught-fwd-m 0.001",
+             {"--draught-aft-m"});
+  expect_bad(kSim + " log --sea none --voyage bad.toml --out o.log", {"none: no such file"});
+  expect_bad(kSim + " log --sea " + storm + " --voyage bad.toml --out o.log", {"bad.toml: name: missing"});
+  expect_bad(kSim + " log --sea " + storm + " --voyage long.toml --out o.log",
+             {"a century", "36525 days", "at most"});
+  expect_bad(kSim + " log --sea " + storm + " --voyage " + kSource +
+                 "/sim/voyages/dorian_passage.voyage.toml --out none/o.log",
+             {"none/o.log: cannot be written"});
+  expect_bad(kSim + " replay none.log --hull " + kS175, {"none.log: no such file"});
+  expect_bad(kSim + " replay text.log --hull " + kS175 + " --out o.log --csv o.csv",
+             {"text.log: offset 0", "EDA1DA01"});
+  expect_bad(kSim + " replay empty.log --hull bad.toml --out o.log", {"bad.toml: name: missing"});
+  expect_bad(kSim + " replay empty.log --hull " + kS175 + " --out none/o.log",
+             {"none/o.log: cannot be written"});
+  expect_bad(kSim + " replay empty.log --hull " + kS175 + " --out o.log --csv none/o.csv",
+             {"none/o.csv: cannot be"});
+  expect_bad(kSim + " inspect text.log", {"text.log: offset 0"});
+  expect_bad(kSim + " story empty.log", {"empty.log: holds no advice"});
+  expect_bad(kSim + " picture empty.log --out o.png", {"empty.log: holds no advice"});
+  expect_bad(kAdvisor + " --hull none.toml", {"none.toml: no such file"});
+  expect_bad(kAdvisor + " --hull bad.toml", {"bad.toml: name: missing"});
+  expect_bad(kAdvisor + " --hull " + kS175 + " --limits bad.toml", {"bad.toml: name: missing"});
+  expect_bad(kAdvisor + " --hull " + kS175 + " --state text.log --url memq://", {"text.log: offset 0"});
+}
+
+TEST_F(Programs, ImpossibleOptionsExitTwoNamingOptionValueAndRange) {
+  const std::string sea = " --spectrum bretschneider --hs-m 3 --t1-s 9 --speed-kn 10";
+  const std::string responses = kHull + " responses " + kS175;
+  const std::string motions = kHull + " motions " + kS175 + " --speed-kn 10";
+  expect_wrong_use(responses + " --mu-deg 90 --spectrum bretschneider --speed-kn 10 --t1-s 9 --hs-m 40",
+                   {"--hs-m: 40", "0.01 ... 30"});
+  expect_wrong_use(responses + " --mu-deg 90 --spectrum bretschneider --speed-kn 10 --t1-s 9 --hs-m nan",
+                   {"--hs-m: nan"});
+  expect_wrong_use(responses + " --mu-deg 90 --spectrum bretschneider --speed-kn 10 --hs-m 3 --t1-s 0",
+                   {"--t1-s: 0", "1 ... 40"});
+  expect_wrong_use(responses + sea + " --mu-deg 725", {"--mu-deg: 725", "above -360 ... 360"});
+  expect_wrong_use(responses + sea + " --mu-deg -360", {"--mu-deg: -360", "above -360"});
+  expect_wrong_use(responses + sea + " --mu-deg 0:10:0", {"--mu-deg: 0:10:0", "a step that leads"});
+  expect_wrong_use(responses + sea + " --mu-deg 10:0:1", {"--mu-deg: 10:0:1", "a step that leads"});
+  expect_wrong_use(responses + sea + " --mu-deg 0:1:1e-7", {"--mu-deg: 0:1:1e-7", "at most 10000 values"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --spreading-deg 90", {"--spreading-deg: 90", "0 ... 80"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --roll-damping-ratio nan", {"--roll-damping-ratio: nan"});
+  expect_wrong_use(motions + " --mu-deg 90 --omega 0", {"--omega: 0"});
+  expect_wrong_use(motions + " --mu-deg 0:359:0.05 --omega 0.1:20:0.005", {"at most 1000000"});
+  expect_wrong_use(kHull + " hydrostatics " + kS175 + " --kg-m 1e308", {"--kg-m: 1e+308", "200"});
+  expect_wrong_use(kHull + " grid " + kS175 + " --spectrum jonswap --hs-m 3 --t1-s 9 --dir-from-deg 725",
+                   {"--dir-from-deg: 725"});
+  expect_wrong_use(kHull + " grid " + kS175 + " --sea x --at yesterday --repeat 0", {"--repeat"});
+  for (const std::string& option :
+       {std::string("--cycle-s"), std::string("--own-ship-stale-after-s"), std::string("--sea-stale-after-s"),
+        std::string("--loading-stale-after-s")}) {
+    for (const char* value : {"nan", "inf", "0", "-1", "1e300"}) {
+      expect_wrong_use(kAdvisor + " --hull none.toml " + option + " " + value, {option + ": "});
+      expect_wrong_use(kSim + " replay none.log --hull none.toml " + option + " " + value, {option + ": "});
+    }
+  }
+  expect_wrong_use(kAdvisor + " --hull x --source-id 99999", {"--source-id"});
+  expect_wrong_use(kAdvisor + " --hull x --clock sundial", {"--clock"});
+  expect_wrong_use(kSim + " replay x --hull x --speed nan", {"--speed: nan"});
+  expect_wrong_use(kSim + " replay x --hull x --speed 0", {"--speed: 0"});
+  expect_wrong_use(kSim + " story x --every-h 1e-12", {"--every-h: 1e-12"});
+  expect_wrong_use(kSim + " log --sea x --voyage x --out x --own-ship-period-s nan",
+                   {"--own-ship-period-s: nan"});
+}
+
+TEST_F(Programs, DirectionsUpTo360AreTakenAndEchoedAsGiven) {
+  const Outcome outcome =
+      run(kHull + " motions " + kS175 + " --speed-kn 10 --mu-deg 360,-359.5,270 --omega 0.5");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* start : {"\n10,360,0.5,", "\n10,-359.5,0.5,", "\n10,270,0.5,"}) {
+    EXPECT_NE(outcome.out.find(start), std::string::npos) << start;
+  }
+}
+
+// Contract §2: a file that passes `quickstrip-hull check` is one that the advisor will load, and no other.
+TEST_F(Programs, CheckAndAdvisorAgreeOnEveryFile) {
+  const std::string good = source_text("sim/hulls/s175.hull.toml");
+  const std::string kg = "kg_m = 9.55";
+  const std::string aft = "draught_aft_m = 9.5\ndraught_fwd_m = 9.5";
+  const std::vector<std::array<std::string, 2>> edits = {
+      {kg, kg},
+      {kg, "kg_m = 12.0"},
+      {kg, "kg_m = 10.5439"},
+      {kg, "kg_m = 0.001"},
+      {kg, kg + "\ngm_m = 0.001"},
+      {kg, kg + "\ngm_m = 50"},
+      {kg, kg + "\nmeasured_roll_period_s = 80"},
+      {"free_surface_correction_m = 0.0", "free_surface_correction_m = 2.0"},
+      {aft, "draught_aft_m = 0.3\ndraught_fwd_m = 0.3"},
+      {aft, "draught_aft_m = 10.9\ndraught_fwd_m = 2.2"},
+      {aft, "draught_aft_m = 2.2\ndraught_fwd_m = 10.9"},
+      {aft, "draught_aft_m = 10.999\ndraught_fwd_m = 10.999"},
+      {"ratio = 0.05", "ratio = 0.0"},
+      {"breadth_m = 25.4", "breadth_m = 17.0"},
+      {"breadth_m = 25.4", "breadth_m = 30.0"},
+      {"lpp_m = 175.0", "lpp_m = 220.0"},
+      {"x_m = 4.375", "x_m = 0.001"},
+      {"to = 24.0, step = 1.0", "to = 60.0, step = 2.5"},
+      {"to = 24.0, step = 1.0", "to = 0.0, step = 1.0"},
+      {"[[0.0, 9.02], [0.43", "[[0.0, 9.02], [0.43"},
+  };
+  int num_passed = 0;
+  for (const auto& [from, to] : edits) {
+    const std::string text =
+        from == to || good.find(from) == std::string::npos ? good : edited(good, from, to);
+    const std::string path = folder_.file("ship.toml", text);
+    const auto files = std::make_unique<ShipFiles>();
+    const auto session = std::make_unique<Session>();
+    const bool is_loaded = read_ship_files(path, "", *files).ok() &&
+                           session->configure(files->hull, files->criteria, SessionOptions{}).ok();
+    const Outcome check = run(kHull + " check ship.toml");
+    EXPECT_EQ(check.exit_code, is_loaded ? 0 : 1) << to << "\n" << check.err;
+    if (!is_loaded) {
+      EXPECT_EQ(check.err.find('\n'), check.err.size() - 1) << check.err;
+    }
+    num_passed += is_loaded ? 1 : 0;
+  }
+  EXPECT_GT(num_passed, 5);
+  EXPECT_LT(num_passed, static_cast<int>(edits.size()));
+}
+
+}  // namespace
+}  // namespace quickstrip::test
