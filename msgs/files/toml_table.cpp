@@ -38,7 +38,8 @@ std::string shown(const toml::node& node) {
     return fmt::format("\"{}\"", printable(node.ref<std::string>()));
   }
   if (node.is_floating_point()) {
-    return fmt::format("{}", node.ref<double>());
+    const std::string number = fmt::format("{}", node.ref<double>());
+    return number.find_first_not_of("-0123456789") == std::string::npos ? number + ".0" : number;
   }
   if (const toml::array* array = node.as_array(); array != nullptr) {
     if (array->size() > kMaxShownItems) {

@@ -16,7 +16,7 @@ class EventStream {
   /// False at the end. The event's time is never before that of the event before.
   bool next(LogEvent& event);
 
-  /// Passed over: not between 1970 and 2200, or more than a day ahead of both its neighbours.
+  /// Passed over: not between 1970 and 2200, or more than ten minutes ahead of both its neighbours.
   [[nodiscard]] std::uint64_t num_out_of_time() const { return num_out_of_time_; }
   /// Before the event before it, and taken at that one's time.
   [[nodiscard]] std::uint64_t num_out_of_order() const { return num_out_of_order_; }

@@ -53,7 +53,7 @@ TEST(VoyageFile, ALegHoldsUntilTheNextBegins) {
 
 TEST(VoyageFile, WhatIsWrongIsNamed) {
   EXPECT_EQ(refusal("heading_deg = 90.0", "heading_deg = 360.0"),
-            "v.toml: leg[1].heading_deg = 360: 0 is wanted for north (line 6)");
+            "v.toml: leg[1].heading_deg = 360.0: 0 is wanted for north (line 6)");
   EXPECT_NE(refusal("2019-08-31T02:00:00+02:00", "2019-08-29T00:00:00Z").find("after that of the leg before"),
             std::string::npos);
   EXPECT_NE(refusal("2019-08-31T02:00:00+02:00", "2019-10-01T00:00:00Z").find("before end_utc"),
