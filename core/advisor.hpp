@@ -88,6 +88,6 @@ class Advisor {
   StepOutput output_;
 };
 
-static_assert(sizeof(Advisor) <= 8u << 20u, "the advisor's memory is a promise");
+static_assert(sizeof(Advisor) <= kMostAdvisorBytes, "the advisor's memory is a promise");
 
 }  // namespace quickstrip

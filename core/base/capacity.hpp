@@ -12,6 +12,7 @@ namespace capacity {
 
 /// A bridge computer: what the contract asks for, within 8 MiB.
 struct Host {
+  static constexpr std::size_t kMostBytes = 8U << 20U;  // of the advisor, all of its memory
   // The hull (contract: at least 64 stations of 128 points).
   static constexpr std::size_t kMaxStations = 64;
   static constexpr std::size_t kMaxOffsets = 128;
@@ -40,19 +41,20 @@ struct Host {
   static constexpr std::size_t kMaxCriteria = 32;
 };
 
-/// A Cortex-M7 with 512 KiB of RAM: a grid of 36 headings x 8 speeds, a hull of a few stations, a spectrum of
-/// a buoy's few bands. Coarser by half in direction and in frequency.
+/// A Cortex-M7 with external or large internal RAM, within 768 KiB: a grid of 36 headings x 8 speeds, a hull
+/// of a few stations, a spectrum of a buoy's few bands. Coarser by half in direction and in frequency.
 struct M7 {
+  static constexpr std::size_t kMostBytes = 768U << 10U;  // of the advisor, all of its memory
   static constexpr std::size_t kMaxStations = 24;
-  static constexpr std::size_t kMaxOffsets = 24;
+  static constexpr std::size_t kMaxOffsets = 40;  // a minimal form needs 39
   static constexpr std::size_t kMaxPoints = 4;
   static constexpr std::size_t kMaxSlammingStations = 2;
   static constexpr std::size_t kMaxFreeboardPoints = 2;
   static constexpr std::size_t kMaxSpeeds = 8;
   static constexpr std::size_t kNumDirections = 36;
   static constexpr std::size_t kMaxFrequencies = 24;
-  static constexpr std::size_t kMaxPeakIntervals = 6;
-  static constexpr std::size_t kMaxPeakPoints = 18;
+  static constexpr std::size_t kMaxPeakIntervals = 4;
+  static constexpr std::size_t kMaxPeakPoints = 12;
   static constexpr std::size_t kNumEncounterNodes = 48;
   static constexpr std::size_t kMaxWaveSystems = 3;
   static constexpr std::size_t kMaxSpectrumFrequencies = 24;
@@ -69,6 +71,8 @@ inline constexpr const char* kProfileName = "host";
 #endif
 
 }  // namespace capacity
+
+inline constexpr std::size_t kMostAdvisorBytes = capacity::Profile::kMostBytes;
 
 inline constexpr std::size_t kMaxStations = capacity::Profile::kMaxStations;
 inline constexpr std::size_t kMaxOffsets = capacity::Profile::kMaxOffsets;

@@ -1,0 +1,34 @@
+// Prints the bytes of everything that the advisor holds, in the profile of capacities that it is built with,
+// and those of the section table, which is constant and lies in flash.
+#include <cstdio>
+
+#include "core/advisor.hpp"
+#include "core/strip/section_table.hpp"
+
+namespace {
+
+void print(const char* what, std::size_t bytes) {
+  std::printf("  %-44s %9zu\n", what, bytes);
+}
+
+}  // namespace
+
+int main() {
+  using namespace quickstrip;
+  std::printf("Memory in bytes, profile %s:\n", capacity::kProfileName);
+  print("Advisor, everything included", sizeof(Advisor));
+  print("  allowed", kMostAdvisorBytes);
+  print("  Hull", sizeof(Hull));
+  print("  LoadedHull", sizeof(LoadedHull));
+  print("    coefficients at encounter frequencies", sizeof(LoadedHull::node));
+  print("    contours for wave loads", sizeof(LoadedHull::wave_contour) + sizeof(LoadedHull::lewis_contour));
+  print("  TransferFunctions", sizeof(TransferFunctions));
+  print("    motions at wave frequencies", sizeof(TransferFunctions::row));
+  print("    motions at roll peaks", sizeof(TransferFunctions::peak));
+  print("    scratch", sizeof(TransferWorkspace));
+  print("  SeaEnergy", sizeof(SeaEnergy));
+  print("  GridWorkspace", sizeof(GridWorkspace));
+  print("  StepOutput", sizeof(StepOutput));
+  print("Section table, constant", section_table_bytes());
+  return 0;
+}
