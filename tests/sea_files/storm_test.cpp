@@ -12,6 +12,7 @@
 #include "sim/sea_files/sea_file.hpp"
 #include "sim/sea_files/sea_series.hpp"
 #include "sim/sea_files/utc_time.hpp"
+#include "tests/support/sea_on_nodes.hpp"
 
 namespace quickstrip {
 namespace {
@@ -133,9 +134,9 @@ TEST(Storm, EveryHourGoesOntoTheGridWithoutLoss) {
   for (const SeaRecord& record : storm().records) {
     ASSERT_TRUE(place_on_grid(record.spectrum, omega, sea));
     double sum = 0.0;
-    for (const auto& direction : sea.total) {
-      for (const double e : direction) {
-        sum += e;
+    for (std::size_t d = 0; d < kNumDirections; ++d) {
+      for (std::size_t f = 0; f < omega.size(); ++f) {
+        sum += total_energy_at(sea, d, f);
       }
     }
     const double m0 = record.hs * record.hs / 16.0;
