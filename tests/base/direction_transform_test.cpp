@@ -63,7 +63,7 @@ TEST(DirectionTransform, IsItsOwnInverseButForTheNumberOfDirections) {
 TEST(DirectionTransform, HasTheCosinesOfItsDirections) {
   for (std::size_t j = 0; j < kNumDirections; ++j) {
     EXPECT_NEAR(direction_transform::kCosine[j], std::cos(angle(j)), 1e-15);  // of the angle
-    EXPECT_NEAR(direction_transform::kSine[j], std::sin(angle(j)), 1e-15);  // of the angle
+    EXPECT_NEAR(direction_transform::kSine[j], std::sin(angle(j)), 1e-15);    // of the angle
   }
 }
 

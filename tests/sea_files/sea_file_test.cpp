@@ -111,8 +111,7 @@ TEST(SeaFile, RefusesAFileThatIsCutShortAtAnyLine) {
 
 TEST(SeaFile, RefusesWhatIsNotThere) {
   BuoyRecord record;
-  EXPECT_TRUE(
-      read_sea_file("/nowhere/x.sea", record).line().starts_with("/nowhere/x.sea: no such file"));
+  EXPECT_TRUE(read_sea_file("/nowhere/x.sea", record).line().starts_with("/nowhere/x.sea: no such file"));
   EXPECT_FALSE(read_sea_file(std::filesystem::temp_directory_path(), record));
   ASSERT_TRUE(parse_sea_file(kText, "x.sea", record));
   EXPECT_FALSE(write_sea_file(record, "/nowhere/x.sea"));
