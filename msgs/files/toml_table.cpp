@@ -1,7 +1,6 @@
 #include "msgs/files/toml_table.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +10,7 @@
 
 #include "core/base/capacity.hpp"
 #include "msgs/files/printable.hpp"
-#include "msgs/files/toml_letters.hpp"
+#include "msgs/files/toml_plus_plus.hpp"
 
 namespace quickstrip {
 
@@ -108,10 +107,6 @@ std::string_view nearest(std::string_view key, std::initializer_list<std::string
 TomlTable::TomlTable(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 TomlTable TomlTable::parse(std::string_view text, std::string_view file) {
-  if (const auto letter = letter_outside_quotes(text)) {
-    throw FileError{fmt::format("{}: line {}: '{}' outside quotes: keys and numbers are ASCII", file,
-                                letter->line, letter->letter)};
-  }
   try {
     auto document = std::make_shared<const toml::table>(toml::parse(text));
     const toml::table* root = document.get();

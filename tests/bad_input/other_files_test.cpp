@@ -214,22 +214,14 @@ TEST(BadSeaFile, EverythingWrongIsRefusedByLineAndName) {
 
 // toml++ ran into undefined behaviour there (found by fuzzing).
 TEST(BadFiles, LettersBeyondAsciiOutsideQuotesAreRefusedAndInsideThemTaken) {
-  expect_line("key", voyage_line("höhe = 1\n" + kVoyage), {"a.toml: line 1: 'ö' outside quotes"});
-  expect_line("letter", limits_line("\xC7\x9C"), {"line 1: 'ǜ' outside quotes"});
-  expect_line("value", voyage_line(edited(kVoyage, "= 16.0", "= 16.0°")), {"line 7: '°' outside quotes"});
-  expect_line("blank",
-              voyage_line(edited(kVoyage, "= 16.0",
-                                 "=\xC2\xA0"
-                                 "16.0")),
-              {"line 7", "outside quotes"});
-  expect_line("not UTF-8", voyage_line("\x80\x80\x80\x80\x80\x80" + kVoyage),
-              {"line 1: '", std::string(4, '?'), "outside quotes"});
+  expect_line("key", voyage_line("höhe = 1\n" + kVoyage), {"a.toml: line 1: ", "ö"});
+  expect_line("letter", limits_line("\xC7\x9C"), {"line 1: ", "ǜ"});
+  expect_line("value", voyage_line(edited(kVoyage, "= 16.0", "= 16.0°")), {"line 7: ", "°"});
+  expect_line("blank", voyage_line(edited(kVoyage, "= 16.0", "=\xC2\xA0\x31")), {"line 7: "});
+  expect_line("in a number", voyage_line("a = 5/'\xEF\xB3\xBF\x61"), {"line 1: "});
+  expect_line("not UTF-8", voyage_line("\x80\x80" + kVoyage), {"line 1: ", "utf-8"});
   EXPECT_EQ(voyage_line(edited(kVoyage, "\"six hours\"", "\"Sjøreise\" # på 6 timer")), "");
   EXPECT_EQ(voyage_line(edited(kVoyage, "\"six hours\"", "'Sjø\"reise'")), "");
-  EXPECT_EQ(voyage_line(edited(kVoyage, "\"six hours\"", "\"\"\"Sjø \\\" \"reise\"\"\"\"")), "");
-  expect_line("behind four quotes", voyage_line(edited(kVoyage, "\"six hours\"", "\"\"\"a\"\"\"\"ø")),
-              {"line 2: 'ø' outside quotes"});
-  expect_line("open", voyage_line(edited(kVoyage, "\"six hours\"", "\"sjø")), {"line 2"});
 }
 
 struct Reader {
