@@ -5,7 +5,6 @@
 #include <memory>
 #include <random>
 
-#include "core/advice/nordforsk.hpp"
 #include "msgs/files/lcm_log.hpp"
 #include "sim/replay/advice_log.hpp"
 #include "sim/replay/event_stream.hpp"
@@ -183,11 +182,12 @@ TEST_F(BadLog, UnknownChannelsArePassedOverCountedAndNamed) {
 // One wrong bit in a time of reception: all later events came "at once", or a cycle was run for every hour of
 // thirty years.
 TEST_F(BadLog, AWrongTimeOfReceptionCostsOneEventAndNotTheRestOfTheLog) {
+  const auto fresh = std::make_unique<Session>(bridge_->session);  // to configure anew takes 85 ms
   for (const std::size_t which : {0U, 1U, 3U, 6U}) {
-    for (int bit = 0; bit < 64; ++bit) {
+    for (int bit = 20; bit < 64; ++bit) {  // from a second on
       std::vector<Event> events = an_hour();
       events[which].utime ^= static_cast<std::int64_t>(std::uint64_t{1} << bit);
-      static_cast<void>(bridge_->session.configure(bridge_->hull, *nordforsk_merchant(bridge_->hull), {}));
+      bridge_->session = *fresh;
       const ReplayFigures figures = replay(events);
       ASSERT_LT(figures.num_cycles, 60U) << which << " " << bit;
       ASSERT_GE(figures.num_events + 1, events.size());
