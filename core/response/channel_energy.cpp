@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "core/base/check.hpp"
 #include "core/base/constants.hpp"
-#include "core/base/direction_transform.hpp"
+#include "core/response/relative_motion.hpp"
 #include "core/sea/dispersion.hpp"
 
 namespace quickstrip {
@@ -101,11 +102,11 @@ void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
                         IncidentWave& out) {
   QS_CHECK(is_zero(position.y));
-  const double along = position.x * std::cos(relative_direction(solved_m).radians);
+  const EncounterAngle mu = relative_direction(solved_m);
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-    const double lag = transfer.wave_number[f] * along;
-    out.re[f] = std::cos(lag);
-    out.im[f] = -std::sin(lag);
+    const std::complex<double> wave = incident_wave(position, transfer.wave_number[f], mu);
+    out.re[f] = wave.real();
+    out.im[f] = wave.imag();
   }
 }
 

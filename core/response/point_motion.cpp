@@ -22,12 +22,4 @@ PointMotion point_acceleration(const MotionTransfer& transfer, const Position& p
           second_derivative * displacement.z};
 }
 
-MotionTransfer mirrored(const MotionTransfer& transfer) {
-  MotionTransfer other = transfer;
-  other.motion[kSway] = -other.motion[kSway];
-  other.motion[kRoll] = -other.motion[kRoll];
-  other.motion[kYaw] = -other.motion[kYaw];
-  return other;
-}
-
 }  // namespace quickstrip

@@ -35,8 +35,4 @@ PointMotion point_displacement(const MotionTransfer& transfer, const Position& p
 /// left out). gravity > 0 [m/s2].
 PointMotion point_acceleration(const MotionTransfer& transfer, const Position& position, double gravity);
 
-/// The same ship in the same wave coming from the other side: sway, roll and yaw change sign. Transfer
-/// functions are solved for mu in [0, pi]; this gives -mu.
-MotionTransfer mirrored(const MotionTransfer& transfer);
-
 }  // namespace quickstrip

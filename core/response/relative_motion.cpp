@@ -14,10 +14,4 @@ std::complex<double> relative_motion(const MotionTransfer& transfer, const Posit
   return incident_wave(position, wave_number, mu) - point_displacement(transfer, position).z;
 }
 
-std::complex<double> relative_velocity(const MotionTransfer& transfer, const Position& position,
-                                       double wave_number, EncounterAngle mu) {
-  return std::complex<double>(0.0, transfer.encounter_frequency) *
-         relative_motion(transfer, position, wave_number, mu);
-}
-
 }  // namespace quickstrip

@@ -4,7 +4,7 @@
 // Assumes: the undisturbed incident wave; neither the ship's own waves nor swell-up ([Journee1992] §3 names
 // both and leaves them out); on fine hulls at speed they add some 10 to 30 % at the bow (Blok, Huisman 1984).
 // Cost: one sine and cosine.
-// Source: NOTATION.md; formulas: relative velocity i omega_e s with signed omega_e.
+// Source: NOTATION.md.
 #pragma once
 
 #include <complex>
@@ -22,9 +22,5 @@ std::complex<double> incident_wave(const Position& position, double wave_number,
 /// m per m.
 std::complex<double> relative_motion(const MotionTransfer& transfer, const Position& position,
                                      double wave_number, EncounterAngle mu);
-
-/// (m/s) per m.
-std::complex<double> relative_velocity(const MotionTransfer& transfer, const Position& position,
-                                       double wave_number, EncounterAngle mu);
 
 }  // namespace quickstrip

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/response/relative_motion.hpp"
 #include "core/response/slamming.hpp"
 
 namespace quickstrip {
@@ -96,7 +97,11 @@ double response_to_motions(const Channel& channel, const MotionTransfer& motions
     return motions.motion[static_cast<std::size_t>(channel.quantity)].real();
   }
   if (is_relative_motion(channel.quantity)) {
-    return -point_displacement(motions, channel.position).z.real();
+    constexpr double kWaveNumber = 0.0;  // of any wave: it goes out again
+    const EncounterAngle mu{0.0};
+    return (relative_motion(motions, channel.position, kWaveNumber, mu) -
+            incident_wave(channel.position, kWaveNumber, mu))
+        .real();
   }
   const PointMotion a = point_acceleration(motions, channel.position, gravity);
   switch (channel.quantity) {

@@ -19,8 +19,8 @@ namespace quickstrip {
 double encounter_floor(const LoadedHull& hull, double omega);
 
 /// Motions at G per metre of wave amplitude. `field` is the wave's; speed V >= 0 [m/s].
-/// A singular set gives non-finite numbers, which solve_grid() refuses; potential damping makes that
-/// impossible for a hull that load() accepted.
+/// A singular set gives non-finite numbers, which solve_transfer_functions() refuses; potential damping makes
+/// that impossible for a hull that load() accepted.
 MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed);
 
 /// The same, and the loads that move her; zero where they are forced to zero.
