@@ -27,6 +27,16 @@ LagrangeStencil lagrange_stencil(std::span<const double> nodes, double x) {
   return stencil;
 }
 
+void lagrange_weights(std::span<const double> nodes, double x, std::span<double> weights) {
+  QS_CHECK(nodes.size() <= weights.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    weights[i] = 1.0;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      weights[i] *= n == i ? 1.0 : (x - nodes[n]) / (nodes[i] - nodes[n]);
+    }
+  }
+}
+
 SplineStencil spline_stencil(std::span<const double> nodes, double x) {
   const std::size_t n = nodes.size();
   QS_CHECK(n >= 4);

@@ -19,6 +19,10 @@ struct LagrangeStencil {
 /// Outside the nodes the end parabola is continued: callers keep x inside or know what they do.
 LagrangeStencil lagrange_stencil(std::span<const double> nodes, double x);
 
+/// Weights of the polynomial through all `nodes`, into the first of `weights`. `nodes` distinct, at most as
+/// many as weights.
+void lagrange_weights(std::span<const double> nodes, double x, std::span<double> weights);
+
 /// Where x lies in a not-a-knot cubic spline: the first of four neighbouring coefficients, and the cubic
 /// B-splines at x that multiply them (their sum is 1).
 struct SplineStencil {

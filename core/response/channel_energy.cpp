@@ -5,7 +5,6 @@
 #include <complex>
 
 #include "core/base/check.hpp"
-#include "core/base/constants.hpp"
 #include "core/response/relative_motion.hpp"
 #include "core/sea/dispersion.hpp"
 
@@ -18,20 +17,25 @@ bool is_lateral(std::size_t mode) {
   return mode % 2 == 1;  // sway, roll, yaw
 }
 
-bool is_zero(double x) {
-  return !(x < 0.0) && !(x > 0.0);
-}
-
 // Of a form on one side of the ship.
 struct Coefficient {
   double displacement = 0.0;
   double acceleration = 0.0;
-  [[nodiscard]] bool is_absent() const { return is_zero(displacement) && is_zero(acceleration); }
+  [[nodiscard]] bool is_absent() const { return displacement == 0.0 && acceleration == 0.0; }
 };
 
 Coefficient coefficient_of(const LinearForm& form, std::size_t mode, bool mirrored) {
   const double sign = mirrored && is_lateral(mode) ? -1.0 : 1.0;
   return {sign * form.displacement[mode], sign * form.acceleration[mode]};
+}
+
+bool has_motion(const LinearForm& form, bool lateral) {
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    if (is_lateral(mode) == lateral && !coefficient_of(form, mode, false).is_absent()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Adds (displacement + omega_e^2 acceleration) times a motion, in place.
@@ -70,7 +74,7 @@ void to_points(const TransferFunctions& transfer, const RollPeak& peak, const Mo
 }  // namespace
 
 EncounterAngle relative_direction(std::size_t m) {
-  const double mu = kTwoPi * static_cast<double>(solved_direction(m)) / static_cast<double>(kNumDirections);
+  const double mu = solved_angle(solved_direction(m)).radians;
   return {is_mirrored(m) ? -mu : mu};
 }
 
@@ -83,8 +87,12 @@ bool is_mirrored(std::size_t m) {
   return m > kHalfCircle;
 }
 
+bool feels_roll(const Channel& channel) {
+  return has_motion(channel.form, true);
+}
+
 bool is_symmetric(const Channel& channel) {
-  return channel.quantity <= Quantity::kYaw || is_zero(channel.position.y);
+  return !feels_roll(channel) || !(has_motion(channel.form, false) || channel.form.wave != 0.0);
 }
 
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
@@ -101,7 +109,7 @@ void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::
 
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
                         IncidentWave& out) {
-  QS_CHECK(is_zero(position.y));
+  QS_CHECK(position.y == 0.0);
   const EncounterAngle mu = relative_direction(solved_m);
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
     const std::complex<double> wave = incident_wave(position, transfer.wave_number[f], mu);
@@ -132,7 +140,7 @@ void node_energies(const TransferFunctions& transfer, std::size_t speed, std::si
 
 void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
                     const Channel& channel, PointValues& out) {
-  QS_CHECK(is_zero(channel.form.wave));
+  QS_CHECK(channel.form.wave == 0.0);
   const std::size_t solved_m = solved_direction(m);
   const RollPeak& peak = transfer.peak[speed][solved_m];
   const MotionRow& row = transfer.row[speed][solved_m];

@@ -27,7 +27,10 @@ EncounterAngle relative_direction(std::size_t m);
 std::size_t solved_direction(std::size_t m);
 bool is_mirrored(std::size_t m);
 
-/// |H|^2 the same from both sides of the ship.
+/// Moved by sway, roll or yaw, so by the roll peak; for the others the frequencies are enough.
+bool feels_roll(const Channel& channel);
+
+/// |H|^2 the same from both sides of the ship: sway, roll and yaw move it, or the rest, not both.
 bool is_symmetric(const Channel& channel);
 
 using NodeValues = std::array<double, kMaxFrequencies>;

@@ -10,6 +10,8 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kHalf = kNumDirections / 2;
+// Of the largest variance on any heading: below it lies the rounding of the transforms.
+constexpr double kRounding = 1e-13;
 
 /// One channel at one speed, or the waves themselves (null), and what is wanted of it.
 struct Subject {

@@ -5,23 +5,6 @@
 
 namespace quickstrip {
 
-bool feels_roll(const Channel& channel) {
-  switch (channel.quantity) {
-    case Quantity::kSway:
-    case Quantity::kRoll:
-    case Quantity::kYaw:
-    case Quantity::kLateralAcceleration:
-      return true;
-    case Quantity::kLongitudinalAcceleration:
-    case Quantity::kVerticalAcceleration:
-    case Quantity::kSlamming:
-    case Quantity::kDeckWetness:
-      return channel.position.y < 0.0 || channel.position.y > 0.0;
-    default:
-      return false;
-  }
-}
-
 void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,
                      const PointValues& at_points, PeakTerms& out) {
   for (std::size_t i = 0; i < peak.intervals.size(); ++i) {

@@ -21,9 +21,6 @@ namespace quickstrip {
 /// By interval of a RollPeak, in its order.
 using PeakTerms = std::array<std::array<double, kDensityTerms>, kMaxPeakIntervals>;
 
-/// Channels that roll, sway and yaw move; for the others the frequencies are enough.
-bool feels_roll(const Channel& channel);
-
 /// Terms of a response whose values (|H|^2, or times a power of omega_e) are `at_nodes`, the wave frequencies
 /// `omega`, and `at_points`, those of the peak.
 void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/base/interpolation.hpp"
 #include "core/sea/dispersion.hpp"
 
 namespace quickstrip {
@@ -19,14 +20,7 @@ struct Cubic {
 Cubic cubic_at(std::span<const double> omega, std::size_t interval, double at) {
   Cubic out;
   out.first = std::min(interval > 0 ? interval - 1 : 0, omega.size() - kStencil);
-  for (std::size_t i = 0; i < kStencil; ++i) {
-    const double here = omega[out.first + i];
-    out.weight[i] = 1.0;
-    for (std::size_t n = 0; n < kStencil; ++n) {
-      const double other = omega[out.first + n];
-      out.weight[i] *= n == i ? 1.0 : (at - other) / (here - other);
-    }
-  }
+  lagrange_weights(omega.subspan(out.first, kStencil), at, out.weight);
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <cstdint>
 
@@ -14,6 +15,16 @@ struct MotionTransfer {
   double encounter_frequency = 0.0;  // signed, true (not floored) [rad/s]
   bool low_encounter = false;        // |omega_e| below the floor of formulas §6
 };
+
+/// All six motions.
+inline bool is_finite(const MotionTransfer& transfer) {
+  for (const std::complex<double>& motion : transfer.motion) {
+    if (!std::isfinite(motion.real()) || !std::isfinite(motion.imag())) {
+      return false;
+    }
+  }
+  return true;
+}
 
 /// How a wave is met.
 struct Encounter {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/base/interpolation.hpp"
 #include "core/sea/dispersion.hpp"
 #include "core/strip/equations_of_motion.hpp"
 #include "core/strip/hydrodynamic_coefficients.hpp"
@@ -166,19 +167,19 @@ void place_points(std::span<const double> omega, const Panels& panels, RollPeak&
 
 // Frequencies first ... first + count - 1 around the interval from j: up to six, all on its side of the
 // encounter-frequency floor, where the loads have a kink.
+constexpr std::size_t kMostNodes = 6;
 struct Stencil {
   std::size_t first = 0;
   std::size_t count = 2;
 };
 
 Stencil stencil_around(std::span<const Encounter> row, std::size_t j) {
-  constexpr std::size_t kMost = 6;
   const auto is_alike = [&](std::size_t i) {
     return !row[i].is_low && (row[i].frequency < 0.0) == (row[j].frequency < 0.0);
   };
   std::size_t first = j;
   std::size_t last = j + 1;
-  for (std::size_t n = 2; n < kMost; ++n) {
+  for (std::size_t n = 2; n < kMostNodes; ++n) {
     const bool can_go_down = first > 0 && is_alike(first - 1);
     const bool can_go_up = last + 1 < row.size() && is_alike(last + 1);
     if (can_go_down && (!can_go_up || j - first <= last - j - 1)) {
@@ -194,30 +195,23 @@ Stencil stencil_around(std::span<const Encounter> row, std::size_t j) {
 std::array<Complex, 6> load_between(std::span<const double> omega,
                                     std::span<const std::array<Complex, 6>> loads, const Stencil& stencil,
                                     double at) {
-  const std::size_t end = stencil.first + stencil.count;
+  std::array<double, kMostNodes> weight{};
+  lagrange_weights(omega.subspan(stencil.first, stencil.count), at, weight);
   std::array<Complex, 6> load{};
-  for (std::size_t i = stencil.first; i < end; ++i) {
-    double weight = 1.0;
-    for (std::size_t n = stencil.first; n < end; ++n) {
-      weight *= n == i ? 1.0 : (at - omega[n]) / (omega[i] - omega[n]);
-    }
+  for (std::size_t i = 0; i < stencil.count; ++i) {
     for (std::size_t k = 0; k < 6; ++k) {
-      load[k] += weight * loads[i][k];
+      load[k] += weight[i] * loads[stencil.first + i][k];
     }
   }
   return load;
 }
 
-// False when not finite.
-bool store_point(const MotionTransfer& solved, std::size_t p, RollPeak& out) {
-  bool is_finite = true;
+void store_point(const MotionTransfer& solved, std::size_t p, RollPeak& out) {
   for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
     const Complex motion = solved.motion[kPeakModes[i]];
     out.re[i][p] = static_cast<float>(motion.real());
     out.im[i][p] = static_cast<float>(motion.imag());
-    is_finite = is_finite && std::isfinite(motion.real()) && std::isfinite(motion.imag());
   }
-  return is_finite;
 }
 
 }  // namespace
@@ -260,7 +254,6 @@ bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, dou
     sights[j].gain = sights[j].area * largest_near(std::span(share).first(omega.size()), j);
   }
   place_points(omega, choose_panels(sights), out);
-  bool is_finite = true;
   for (const PeakInterval& interval : out.intervals) {
     const std::size_t j = interval.node;
     const Stencil stencil = stencil_around(encounters, j);
@@ -270,10 +263,14 @@ bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, dou
       const double met = encounter_frequency(at, wave_number(at, hull.gravity), speed, mu);
       const auto load = by_section ? lateral_loads_between(hull, waves, mu, speed, j, at, met)
                                    : load_between(omega, loads, stencil, at);
-      is_finite = store_point(motions_under_load(hull, at, mu, speed, load), p, out) && is_finite;
+      const MotionTransfer solved = motions_under_load(hull, at, mu, speed, load);
+      if (!is_finite(solved)) {
+        return false;
+      }
+      store_point(solved, p, out);
     }
   }
-  return is_finite;
+  return true;
 }
 
 }  // namespace quickstrip

@@ -28,15 +28,6 @@ double node_density(double omega, double froude_frequency) {
   return 1.0 / omega + kDensityOfMiddle / froude_frequency / (1.0 + x * x * x * x);
 }
 
-bool is_finite(const MotionTransfer& t) {
-  return std::all_of(t.motion.begin(), t.motion.end(),
-                     [](const Complex& m) { return std::isfinite(m.real()) && std::isfinite(m.imag()); });
-}
-
-EncounterAngle solved_angle(std::size_t m) {
-  return {kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1)};
-}
-
 Status solve_direction(const LoadedHull& hull, std::size_t m,
                        std::span<const RollResonance, kMaxSpeeds> resonances, TransferFunctions& out) {
   const EncounterAngle mu = solved_angle(m);
@@ -102,6 +93,10 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
 }
 
 }  // namespace
+
+EncounterAngle solved_angle(std::size_t m) {
+  return {kPi * static_cast<double>(m) / static_cast<double>(kNumSolvedDirections - 1)};
+}
 
 void store_motions(const std::array<Complex, 6>& motion, std::size_t f, MotionRow& row) {
   for (std::size_t i = 0; i < motion.size(); ++i) {

@@ -48,6 +48,9 @@ struct TransferFunctions {
   TransferWorkspace workspace;  // scratch, no meaning between calls
 };
 
+/// mu of solved direction m [rad].
+EncounterAngle solved_angle(std::size_t m);
+
 /// Stores the six motions.
 void store_motions(const std::array<Complex, 6>& motion, std::size_t f, MotionRow& row);
 
