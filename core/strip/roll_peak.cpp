@@ -7,7 +7,7 @@
 #include "core/base/interpolation.hpp"
 #include "core/sea/dispersion.hpp"
 #include "core/strip/equations_of_motion.hpp"
-#include "core/strip/hydrodynamic_coefficients.hpp"
+#include "core/strip/roll_admittance.hpp"
 
 namespace quickstrip {
 namespace {
@@ -26,24 +26,8 @@ constexpr std::array<double, kPointsOfPanel> kShare = {5.0 / 18.0, 8.0 / 18.0, 5
 constexpr double kMostTurn = 0.7;
 constexpr double kLeastHalfWidth = 1e-3;  // of the resonance: an undamped hull stays finite
 
-// The roll equation with sway and yaw eliminated.
-Complex roll_schur_complement(const LoadedHull& hull, double omega_e, double speed) {
-  HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
-  c.b[3][3] += hull.roll_damping_added;
-  const auto z = [&](std::size_t i, std::size_t j, double inertia, double stiffness) {
-    return Complex(stiffness - omega_e * omega_e * (inertia + c.a[i][j]), omega_e * c.b[i][j]);
-  };
-  const Complex sway = z(1, 1, hull.body.mass, 0.0);
-  const Complex yaw = z(5, 5, hull.body.izz, 0.0);
-  const Complex sway_yaw = z(1, 5, 0.0, 0.0);
-  const Complex yaw_sway = z(5, 1, 0.0, 0.0);
-  const Complex to_sway = z(1, 3, 0.0, 0.0);
-  const Complex to_yaw = z(5, 3, 0.0, 0.0);
-  const Complex det = sway * yaw - sway_yaw * yaw_sway;
-  const Complex answer_sway = (yaw * to_sway - sway_yaw * to_yaw) / det;
-  const Complex answer_yaw = (sway * to_yaw - yaw_sway * to_sway) / det;
-  return z(3, 3, hull.body.ixx, hull.restoring.c44) - z(3, 1, 0.0, 0.0) * answer_sway -
-         z(3, 5, 0.0, 0.0) * answer_yaw;
+double real_impedance(const LoadedHull& hull, double omega_e, double speed) {
+  return roll_admittance(hull, omega_e, speed).impedance.real();
 }
 
 // Of one interval between wave frequencies, lengths in half widths of the peak.
@@ -220,11 +204,10 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed) {
   const double natural = hull.roll_natural_frequency;
   double low = 0.5 * natural;
   double high = 2.0 * natural;
-  if (roll_schur_complement(hull, low, speed).real() > 0.0 &&
-      roll_schur_complement(hull, high, speed).real() < 0.0) {
+  if (real_impedance(hull, low, speed) > 0.0 && real_impedance(hull, high, speed) < 0.0) {
     for (int i = 0; i < 30; ++i) {  // 2 natural / 2^30: far below any width
       const double middle = 0.5 * (low + high);
-      (roll_schur_complement(hull, middle, speed).real() > 0.0 ? low : high) = middle;
+      (real_impedance(hull, middle, speed) > 0.0 ? low : high) = middle;
     }
   } else {
     low = natural;
@@ -232,10 +215,9 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed) {
   }
   const double omega = 0.5 * (low + high);
   const double step = 1e-3 * omega;
-  const double slope = (roll_schur_complement(hull, omega + step, speed).real() -
-                        roll_schur_complement(hull, omega - step, speed).real()) /
-                       (2.0 * step);
-  const double width = std::fabs(roll_schur_complement(hull, omega, speed).imag() / slope);
+  const double slope =
+      (real_impedance(hull, omega + step, speed) - real_impedance(hull, omega - step, speed)) / (2.0 * step);
+  const double width = std::fabs(roll_admittance(hull, omega, speed).impedance.imag() / slope);
   const double widest = omega;
   return {omega, std::isfinite(width) ? std::clamp(width, kLeastHalfWidth * omega, widest) : widest};
 }
