@@ -67,6 +67,7 @@ FlooredEncounter encounter_of(const LoadedHull& hull, double omega, EncounterAng
 void solve_motions(const LoadedHull& hull, double omega_e, double speed, const std::array<Complex, 6>& load,
                    std::array<Complex, 6>& motion) {
   HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
+  c.b[0][0] += hull.surge_damping_per_speed * speed;
   c.b[3][3] += hull.roll_damping_added;
   const ShipTerms ship = ship_terms(hull);
   constexpr std::array<std::array<std::size_t, 3>, 2> kSets = {{{0, 2, 4}, {1, 3, 5}}};

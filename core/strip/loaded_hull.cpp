@@ -177,8 +177,10 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
   out.restoring.c44 = mass * out.gravity * floating->gm;
   out.restoring.c55 = mass * out.gravity * floating->gml;
   out.roll_lever_shift = roll_lever_shift(out);
-  out.surge_added_mass_factor =
-      method.surge == SurgeTerms::kFull ? spheroid_surge_added_mass_factor(out.lpp, out.breadth) : 0.0;
+  const bool has_surge = method.surge == SurgeTerms::kFull;
+  out.surge_added_mass_factor = has_surge ? spheroid_surge_added_mass_factor(out.lpp, out.breadth) : 0.0;
+  out.surge_damping_per_speed =
+      has_surge ? surge_damping_per_speed(out.lpp, floating->volume, out.density) : 0.0;
 
   const double froude_frequency = std::sqrt(out.gravity / out.lpp);
   const double span = std::log(kHighestNode / kLowestNode);

@@ -96,6 +96,7 @@ struct LoadedHull {
   RigidBody body;
   Restoring restoring;
   double surge_added_mass_factor = 0.0;  // a11' / (rho A)
+  double surge_damping_per_speed = 0.0;  // viscous b11 / V [N s2/m2]
   double roll_damping_added = 0.0;       // b44 on top of potential damping [N m s]
   double roll_natural_frequency = 0.0;   // rad/s, with a44 there, undamped
   bool has_replaced_section = false;

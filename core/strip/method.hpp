@@ -21,7 +21,7 @@ enum class BeamLoads : std::uint8_t {
 };
 
 enum class SurgeTerms : std::uint8_t {
-  kFull,         // potential added mass in surge
+  kFull,         // potential added mass and viscous damping in surge
   kInertiaOnly,  // a11 = b11 = 0
 };
 

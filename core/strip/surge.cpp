@@ -17,4 +17,13 @@ double spheroid_surge_added_mass_factor(double length, double breadth) {
   return alpha / (2.0 - alpha);
 }
 
+double still_water_resistance(double lpp, double volume, double density, double speed) {
+  return 0.5 * surge_damping_per_speed(lpp, volume, density) * speed * speed;
+}
+
+double surge_damping_per_speed(double lpp, double volume, double density) {
+  const double coefficient = 1e-3 * (3.6 + 15.2 / (std::log10(lpp) + 0.6));
+  return 2.0 * coefficient * density * std::pow(volume, 2.0 / 3.0);
+}
+
 }  // namespace quickstrip
