@@ -65,10 +65,10 @@ FlooredEncounter encounter_of(const LoadedHull& hull, double omega, EncounterAng
 }
 
 void solve_motions(const LoadedHull& hull, double omega_e, double speed, const std::array<Complex, 6>& load,
-                   std::array<Complex, 6>& motion) {
+                   double roll_damping, std::array<Complex, 6>& motion) {
   HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
   c.b[0][0] += hull.surge_damping_per_speed * speed;
-  c.b[3][3] += hull.roll_damping_added;
+  c.b[3][3] += roll_damping;
   const ShipTerms ship = ship_terms(hull);
   constexpr std::array<std::array<std::size_t, 3>, 2> kSets = {{{0, 2, 4}, {1, 3, 5}}};
   for (const auto& set : kSets) {
@@ -97,13 +97,18 @@ double encounter_floor(const LoadedHull& hull, double omega) {
 }
 
 MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
-                                  const std::array<Complex, 6>& load) {
+                                  const std::array<Complex, 6>& load, double roll_damping) {
   const FlooredEncounter met = encounter_of(hull, omega, mu, speed);
   MotionTransfer out;
   out.encounter_frequency = met.encounter.frequency;
   out.low_encounter = met.encounter.is_low;
-  solve_motions(hull, met.floored, speed, load, out.motion);
+  solve_motions(hull, met.floored, speed, load, roll_damping, out.motion);
   return out;
+}
+
+MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
+                                  const std::array<Complex, 6>& load) {
+  return motions_under_load(hull, omega, mu, speed, load, small_roll_damping(hull.roll_damping, speed));
 }
 
 MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed,
@@ -119,7 +124,7 @@ MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, d
   SectionHydrodynamics section;
   section_hydrodynamics(hull, met.floored, section);
   load = wave_loads(hull, field, section, met.floored, speed);
-  solve_motions(hull, met.floored, speed, load, out.motion);
+  solve_motions(hull, met.floored, speed, load, small_roll_damping(hull.roll_damping, speed), out.motion);
   return out;
 }
 

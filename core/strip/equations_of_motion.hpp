@@ -28,9 +28,11 @@ MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, d
                                std::array<Complex, 6>& load);
 
 /// Motions of a ship whose loads are known, in the wave of frequency omega from mu; not forced to zero
-/// anywhere.
+/// anywhere. `roll_damping`: b44 on top of potential damping [N m s]; else that of vanishing roll.
 MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
                                   const std::array<Complex, 6>& load);
+MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
+                                  const std::array<Complex, 6>& load, double roll_damping);
 
 /// The same for one wave alone, all included: costs the field of that wave (about 20 us).
 MotionTransfer motion_transfer(const LoadedHull& hull, double omega, EncounterAngle mu, double speed);

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "core/base/interpolation.hpp"
-#include "core/strip/roll_damping.hpp"
 #include "core/strip/surge.hpp"
 
 namespace quickstrip {
@@ -194,11 +193,11 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
   }
   out.roll_natural_frequency = roll_natural_frequency(out);
   set_roll_damping_ratio(out, hull.roll_damping.ratio);
-  return std::isfinite(out.roll_damping_added) ? Status{} : Status{Error::kNotFinite};
+  return std::isfinite(small_roll_damping(out.roll_damping, 0.0)) ? Status{} : Status{Error::kNotFinite};
 }
 
 void set_roll_damping_ratio(LoadedHull& hull, double ratio) {
-  hull.roll_damping_added = ratio_roll_damping(hull, ratio);
+  hull.roll_damping = constant_roll_damping(ratio_roll_damping(hull, ratio), hull.roll_natural_frequency);
 }
 
 void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out) {

@@ -20,6 +20,7 @@
 #include "core/hull/hydrostatics.hpp"
 #include "core/hull/lewis_section.hpp"
 #include "core/strip/method.hpp"
+#include "core/strip/roll_damping.hpp"
 #include "core/strip/section_table.hpp"
 
 namespace quickstrip {
@@ -97,7 +98,7 @@ struct LoadedHull {
   Restoring restoring;
   double surge_added_mass_factor = 0.0;  // a11' / (rho A)
   double surge_damping_per_speed = 0.0;  // viscous b11 / V [N s2/m2]
-  double roll_damping_added = 0.0;       // b44 on top of potential damping [N m s]
+  RollDampingModel roll_damping;         // b44 on top of potential damping
   double roll_natural_frequency = 0.0;   // rad/s, with a44 there, undamped
   bool has_replaced_section = false;
 

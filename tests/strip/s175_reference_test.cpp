@@ -61,7 +61,7 @@ std::unique_ptr<LoadedHull> s175_like_reference(const StripMethod& method) {
   auto loaded = std::make_unique<LoadedHull>();
   const Status status = load(*hull, loading, method, *loaded);
   EXPECT_TRUE(status.ok()) << message(status.error());
-  loaded->roll_damping_added = 6.94171222e7;
+  loaded->roll_damping = constant_roll_damping(6.94171222e7, loaded->roll_natural_frequency);
   loaded->roll_lever_shift = 0.0;  // the reference leaves the Lewis contours' own GM in the roll moment
   return loaded;
 }
