@@ -8,6 +8,13 @@
 namespace quickstrip {
 namespace {
 
+/// The scratch asked for; afresh if the other one was alive.
+template <typename Wanted, typename Scratch>
+Wanted& alive(Scratch& scratch) {
+  Wanted* const there = std::get_if<Wanted>(&scratch);
+  return there != nullptr ? *there : scratch.template emplace<Wanted>();
+}
+
 constexpr double kLowLengthBreadth = 3.0;  // [Journee1992] §2: strip theory needs L/B of about three
 
 Result<std::size_t> count_headings(const GridDefinition& grid) {
@@ -103,7 +110,8 @@ Status Advisor::solve_speeds() {
   if (!list) {
     return list.error();
   }
-  return solve_transfer_functions(loaded_, std::span(list->speeds).first(list->count), transfer_);
+  return solve_transfer_functions(loaded_, std::span(list->speeds).first(list->count),
+                                  alive<TransferWorkspace>(scratch_), transfer_);
 }
 
 Status Advisor::rebuild() {
@@ -188,7 +196,7 @@ NoAdvice Advisor::advise(const OwnShip& ship) {
   output_.lost_tail = sea_.lost_tail;
   output_.num_systems = sea_.num_systems;
   output_.systems = sea_.system;
-  if (!sweep_grid(inputs, workspace_, output_.grid)) {
+  if (!sweep_grid(inputs, alive<GridWorkspace>(scratch_), output_.grid)) {
     return NoAdvice::kInternal;
   }
   const Status status = respond(inputs, ship.heading, ship.speed, output_.present);

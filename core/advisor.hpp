@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 
 #include "core/advice/criteria.hpp"
 #include "core/advice/grid.hpp"
@@ -84,7 +85,8 @@ class Advisor {
   Watch watch_;
   CriteriaChannels channels_;
   SeaEnergy sea_;
-  GridWorkspace workspace_;
+  // Of rebuilding and of a cycle, which are never at once: one memory for both.
+  std::variant<TransferWorkspace, GridWorkspace> scratch_;
   StepOutput output_;
 };
 

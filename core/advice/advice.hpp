@@ -25,6 +25,7 @@ enum QualityBit : std::uint32_t {
   kQualityTailLost = 1u << 5,            // more than 1 % of m0 outside the frequency range
   kQualitySpeedOverGround = 1u << 6,     // speed through water not known
   kQualityFreeSurfaceUnknown = 1u << 7,  // no free-surface correction given
+  kQualityRollNotConverged = 1u << 12,   // roll linearisation ended with a residual worth saying
 };
 
 /// Hazard bits of a cell. Zones of the IMO guidance follow with issue of that name; reserved here.
@@ -60,6 +61,10 @@ struct Cell {
   float slams_per_hour = kNotComputed;    // worst station
   float wetness_probability = kNotComputed;  // per encounter, worst point
   float low_encounter_share = 0.0F;          // largest share among watched variances
+  // Roll damping beyond potential theory that the cell's own roll calls for: ratio of critical, and what is
+  // left of its equation (response/roll_linearisation.hpp).
+  float roll_damping_ratio = 0.0F;
+  float roll_damping_residual = 0.0F;
 };
 
 inline constexpr float kMarginUnbounded = 99.0F;

@@ -36,9 +36,10 @@ QuantityResponse quantity_response(const Channel& channel, const ResponseMoments
 Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out) {
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(inputs.watch.channels.size());
-  const Status status = response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments);
-  if (!status) {
-    return status;
+  const Result<RollDampingInUse> damping =
+      response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments);
+  if (!damping) {
+    return damping.error();
   }
   out.heading = heading;
   out.speed = speed;
@@ -48,8 +49,8 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
     const Result<double> low = low_encounter_wave_share(inputs.transfer, inputs.sea, heading, speed);
     share = low ? *low : 1.0;
   }
-  out.cell =
-      judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, speed, share));
+  out.cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments,
+                   circumstances(inputs, speed, share, *damping));
   if (out.cell.governing != kNoCriterion) {
     out.cell.governing_system = largest_system(moments[inputs.channels.of_criterion[out.cell.governing]]);
   }

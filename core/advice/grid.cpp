@@ -19,10 +19,10 @@ Needs needs_of(const GridInputs& inputs) {
   return needs;
 }
 
-ResponseMoments moments_at(const HeadingMoments& all, std::size_t c, std::size_t h, std::size_t num_systems) {
-  ResponseMoments out{.m0 = all.m0[c][h], .m2 = all.m2[c][h], .m0_low_encounter = all.m0_low_encounter[c][h]};
+ResponseMoments moments_at(const ChannelMoments& all, std::size_t h, std::size_t num_systems) {
+  ResponseMoments out{.m0 = all.m0[h], .m2 = all.m2[h], .m0_low_encounter = all.m0_low_encounter[h]};
   for (std::size_t s = 0; s < num_systems; ++s) {
-    out.m0_by_system[s] = all.m0_by_system[c][s][h];
+    out.m0_by_system[s] = all.m0_by_system[s][h];
   }
   return out;
 }
@@ -32,7 +32,7 @@ Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorks
   const auto moments = std::span(workspace.cell).first(inputs.watch.channels.size());
   for (std::size_t c = 0; c < moments.size(); ++c) {
     if (workspace.needs[c] != Need::kNone) {
-      moments[c] = moments_at(workspace.moments, c, h, inputs.sea.num_systems);
+      moments[c] = moments_at(workspace.moments.channel[c], h, inputs.sea.num_systems);
     }
   }
   double share = 0.0;
@@ -40,8 +40,10 @@ Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorks
     const double m0 = inputs.sea.hs * inputs.sea.hs / 16.0;
     share = workspace.moments.low_encounter_energy[h] / m0;
   }
-  Cell cell =
-      judge(inputs.criteria, inputs.channels, inputs.watch, moments, circumstances(inputs, speed, share));
+  const HeadingDamping& roll = workspace.moments.roll_damping;
+  const RollDampingInUse damping{.added = roll.added[h], .residual = roll.residual[h]};
+  Cell cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments,
+                    circumstances(inputs, speed, share, damping));
   if (cell.governing != kNoCriterion) {
     cell.governing_system = largest_system(moments[inputs.channels.of_criterion[cell.governing]]);
   }
@@ -67,8 +69,17 @@ Status check_inputs(const GridInputs& inputs) {
 
 }  // namespace
 
-CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share) {
-  CellCircumstances known{.quality = inputs.quality, .low_encounter_share = low_encounter_share};
+CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share,
+                                const RollDampingInUse& damping) {
+  const double critical = inputs.transfer.critical_roll_damping;
+  CellCircumstances known{.quality = inputs.quality,
+                          .low_encounter_share = low_encounter_share,
+                          .roll_damping_ratio = critical > 0.0 ? damping.added / critical : 0.0,
+                          .roll_damping_residual = damping.residual};
+  // Written so that a residual that is no number counts too.
+  if (!(damping.residual < kRollResidualLimit)) {
+    known.quality |= kQualityRollNotConverged;
+  }
   if (speed > kHighFroude * std::sqrt(inputs.watch.gravity * inputs.lpp)) {
     known.quality |= kQualityHighFroude;
   }

@@ -52,6 +52,7 @@ Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out)
 
 /// What is known of a cell before its moments are. `low_encounter_share`: of the wave energy, where the
 /// method forces loads to zero there; else 0.
-CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share);
+CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share,
+                                const RollDampingInUse& damping);
 
 }  // namespace quickstrip

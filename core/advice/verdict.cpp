@@ -134,6 +134,8 @@ Cell unknown_cell(const CellCircumstances& circumstances) {
   cell.values.fill(kNotComputed);
   cell.hazards = circumstances.hazards;
   cell.quality = circumstances.quality;
+  cell.roll_damping_ratio = static_cast<float>(circumstances.roll_damping_ratio);
+  cell.roll_damping_residual = static_cast<float>(circumstances.roll_damping_residual);
   return cell;
 }
 

@@ -56,6 +56,8 @@ struct CellCircumstances {
   std::uint32_t quality = 0;
   std::uint16_t hazards = 0;
   double low_encounter_share = 0.0;  // of the wave energy, where loads are forced to zero there; else 0
+  double roll_damping_ratio = 0.0;
+  double roll_damping_residual = 0.0;
 };
 
 /// moments: one per channel; those not needed may be zero. Governing: the criterion that decides, which is

@@ -30,6 +30,10 @@ struct Host {
   // and points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
   static constexpr std::size_t kMaxPeakIntervals = 14;
   static constexpr std::size_t kMaxPeakPoints = 48;
+  // Roll in a seaway, whose damping grows with it: dampings at which variances are summed, three for a
+  // parabola between them, and nodes of encounter frequency, 16 to a natural frequency (roll_update.hpp).
+  static constexpr std::size_t kRollDampingLevels = 3;
+  static constexpr std::size_t kNumRollUpdateNodes = 128;
   // Encounter frequencies of the loaded hull's coefficient table: three decades, 7.5 % apart, which keeps the
   // parabola between them within 3e-3 of the section table (tests/strip).
   static constexpr std::size_t kNumEncounterNodes = 96;
@@ -55,6 +59,8 @@ struct M7 {
   static constexpr std::size_t kMaxFrequencies = 24;
   static constexpr std::size_t kMaxPeakIntervals = 4;
   static constexpr std::size_t kMaxPeakPoints = 12;
+  static constexpr std::size_t kRollDampingLevels = 3;
+  static constexpr std::size_t kNumRollUpdateNodes = 64;
   static constexpr std::size_t kNumEncounterNodes = 48;
   static constexpr std::size_t kMaxWaveSystems = 3;
   static constexpr std::size_t kMaxSpectrumFrequencies = 24;
@@ -93,6 +99,8 @@ inline constexpr std::size_t kNumSolvedDirections = kNumDirections / 2 + 1;
 inline constexpr std::size_t kMaxFrequencies = capacity::Profile::kMaxFrequencies;
 inline constexpr std::size_t kMaxPeakIntervals = capacity::Profile::kMaxPeakIntervals;
 inline constexpr std::size_t kMaxPeakPoints = capacity::Profile::kMaxPeakPoints;
+inline constexpr std::size_t kRollDampingLevels = capacity::Profile::kRollDampingLevels;
+inline constexpr std::size_t kNumRollUpdateNodes = capacity::Profile::kNumRollUpdateNodes;
 // Legendre terms of the wave energy density within an interval of wave frequencies: a cubic.
 inline constexpr std::size_t kDensityTerms = 4;
 inline constexpr std::size_t kNumEncounterNodes = capacity::Profile::kNumEncounterNodes;

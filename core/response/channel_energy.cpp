@@ -119,8 +119,8 @@ void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m,
 }
 
 void node_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                   const Channel& channel, const Encounters& encounters, const IncidentWave& wave,
-                   NodeValues& out) {
+                   const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
+                   const IncidentWave& wave, NodeValues& out) {
   const std::size_t n = transfer.num_frequencies;
   const MotionRow& row = transfer.row[speed][solved_direction(m)];
   NodeValues re{};
@@ -131,15 +131,18 @@ void node_energies(const TransferFunctions& transfer, std::size_t speed, std::si
   }
   for (std::size_t mode = 0; mode < 6; ++mode) {
     const Coefficient c = coefficient_of(channel.form, mode, is_mirrored(m));
-    if (!c.is_absent()) {
-      add_motion(c, encounters.frequency, row.re[mode], row.im[mode], n, re, im);
+    if (c.is_absent()) {
+      continue;
     }
+    const bool is_damped = damped != nullptr && is_lateral(mode);
+    add_motion(c, encounters.frequency, is_damped ? damped->re[mode / 2] : row.re[mode],
+               is_damped ? damped->im[mode / 2] : row.im[mode], n, re, im);
   }
   square(re, im, n, out);
 }
 
 void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                    const Channel& channel, PointValues& out) {
+                    const Channel& channel, const LateralMotions* damped, PointValues& out) {
   QS_CHECK(channel.form.wave == 0.0);
   const std::size_t solved_m = solved_direction(m);
   const RollPeak& peak = transfer.peak[speed][solved_m];
@@ -154,7 +157,9 @@ void point_energies(const TransferFunctions& transfer, std::size_t speed, std::s
       continue;
     }
     if (is_lateral(mode)) {
-      add_motion(c, omega_e, peak.re[mode / 2], peak.im[mode / 2], peak.num_points, re, im);
+      const auto& re_of = damped != nullptr ? damped->point_re : peak.re;
+      const auto& im_of = damped != nullptr ? damped->point_im : peak.im;
+      add_motion(c, omega_e, re_of[mode / 2], im_of[mode / 2], peak.num_points, re, im);
       continue;
     }
     PointValues re_of{};

@@ -53,14 +53,23 @@ struct IncidentWave {
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
                         IncidentWave& out);
 
-/// At the wave frequencies. `wave`: at the channel's position; read only where the form has a wave.
+/// Sway, roll and yaw of one speed and direction at another roll damping (damped_motions.hpp).
+struct LateralMotions {
+  std::array<std::array<float, kMaxFrequencies>, 3> re{};
+  std::array<std::array<float, kMaxFrequencies>, 3> im{};
+  std::array<std::array<float, kMaxPeakPoints>, 3> point_re{};
+  std::array<std::array<float, kMaxPeakPoints>, 3> point_im{};
+};
+
+/// At the wave frequencies. `damped`: sway, roll and yaw in place of those of the transfer functions; may be
+/// null. `wave`: at the channel's position; read only where the form has a wave.
 void node_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                   const Channel& channel, const Encounters& encounters, const IncidentWave& wave,
-                   NodeValues& out);
+                   const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
+                   const IncidentWave& wave, NodeValues& out);
 
 /// At the points of the roll peak; for channels without incident wave.
 void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                    const Channel& channel, PointValues& out);
+                    const Channel& channel, const LateralMotions* damped, PointValues& out);
 
 /// omega_e at the points of the peak.
 void list_point_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,

@@ -22,11 +22,12 @@ double factor_of(Moment moment, double omega_e, double low) {
 }  // namespace
 
 void list_values(const TransferFunctions& transfer, std::size_t speed, std::size_t m, const Channel& channel,
-                 const Encounters& encounters, const IncidentWave& wave, ChannelValues& out) {
-  node_energies(transfer, speed, m, channel, encounters, wave, out.nodes);
+                 const LateralMotions* damped, const Encounters& encounters, const IncidentWave& wave,
+                 ChannelValues& out) {
+  node_energies(transfer, speed, m, channel, damped, encounters, wave, out.nodes);
   out.has_points = feels_roll(channel) && transfer.peak[speed][solved_direction(m)].num_points > 0;
   if (out.has_points) {
-    point_energies(transfer, speed, m, channel, out.points);
+    point_energies(transfer, speed, m, channel, damped, out.points);
   }
 }
 

@@ -22,9 +22,11 @@ struct ChannelValues {
   bool has_points = false;
 };
 
-/// |H|^2 at frequencies and, where the channel feels roll, at the points of the peak.
+/// `damped`: sway, roll and yaw at another roll damping; may be null. |H|^2 at frequencies and, where the
+/// channel feels roll, at the points of the peak.
 void list_values(const TransferFunctions& transfer, std::size_t speed, std::size_t m, const Channel& channel,
-                 const Encounters& encounters, const IncidentWave& wave, ChannelValues& out);
+                 const LateralMotions* damped, const Encounters& encounters, const IncidentWave& wave,
+                 ChannelValues& out);
 
 /// Integral over each band of the sea, out[b].
 void integrate_moment(const TransferFunctions& transfer, std::size_t speed, std::size_t m,

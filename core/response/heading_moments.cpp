@@ -20,6 +20,7 @@ struct Subject {
   const Channel* channel;
   std::size_t wave;  // place among the incident waves
   const SeaEnergy& sea;
+  std::size_t level;  // of roll damping
   StaticVector<Moment, 3> moments;
 
   [[nodiscard]] bool has_sides() const { return channel != nullptr && !is_symmetric(*channel); }
@@ -31,7 +32,9 @@ void list_values_at(const Subject& subject, std::size_t m, const SweepWorkspace&
                     ChannelValues& values) {
   if (subject.channel != nullptr) {
     const std::size_t solved_m = solved_direction(m);
-    list_values(subject.transfer, subject.speed, m, *subject.channel, work.encounters[solved_m],
+    const LateralMotions* const damped =
+        subject.level > 0 ? &work.damped[solved_m][subject.level - 1] : nullptr;
+    list_values(subject.transfer, subject.speed, m, *subject.channel, damped, work.encounters[solved_m],
                 work.wave[subject.wave][solved_m], values);
   }
 }
@@ -143,6 +146,90 @@ void want(Moment moment, bool is_wanted, Subject& subject) {
   }
 }
 
+/// What the sweep of one speed rests on.
+struct Sweep {
+  const TransferFunctions& transfer;
+  std::size_t speed;
+  const Watch& watch;
+  const Needs& needs;
+  const SeaEnergy& sea;
+  bool has_low;
+};
+
+/// Everything that is wanted of one channel, at one level of roll damping.
+void list_channel(const Sweep& sweep, std::size_t c, std::size_t level, bool wants_second,
+                  SweepWorkspace& work, ChannelMoments& out) {
+  const Channel& channel = sweep.watch.channels[c];
+  Subject subject{sweep.transfer, sweep.speed, &channel, work.wave_of[c], sweep.sea, level, {}};
+  const bool wants_low = sweep.needs[c] == Need::kVarianceAndLowEncounter && sweep.has_low;
+  want(Moment::kZeroth, true, subject);
+  want(Moment::kSecond, wants_second, subject);
+  want(Moment::kLowEncounter, wants_low, subject);
+  integrate(subject, work);
+  convolve(subject, 0, work, out.m0);
+  std::copy_n(work.by_system.begin(), sweep.sea.num_systems, out.m0_by_system.begin());
+  if (wants_second) {
+    convolve(subject, 1, work, out.m2);
+  }
+  if (wants_low) {
+    convolve(subject, subject.moments.size() - 1, work, out.m0_low_encounter);
+  } else {
+    out.m0_low_encounter.fill(0.0);
+  }
+}
+
+/// At the damping of each heading; `part`: what of a channel's moments.
+template <typename Part>
+void blend_part(SweepWorkspace& work, const Part& part, ChannelMoments& out) {
+  for (std::size_t h = 0; h < kNumDirections; ++h) {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+      sum += work.level_weight[l][h] * part(work.at_level[l])[h];
+    }
+    part(out)[h] = sum < 0.0 ? 0.0 : sum;  // a NaN stays one
+  }
+}
+
+void blend(SweepWorkspace& work, std::size_t num_systems, bool has_second, ChannelMoments& out) {
+  blend_part(
+      work, [](ChannelMoments& of) -> ByHeading& { return of.m0; }, out);
+  blend_part(
+      work, [](ChannelMoments& of) -> ByHeading& { return of.m0_low_encounter; }, out);
+  if (has_second) {
+    blend_part(
+        work, [](ChannelMoments& of) -> ByHeading& { return of.m2; }, out);
+  }
+  for (std::size_t s = 0; s < num_systems; ++s) {
+    blend_part(
+        work, [s](ChannelMoments& of) -> ByHeading& { return of.m0_by_system[s]; }, out);
+  }
+}
+
+void list_at_levels(const Sweep& sweep, std::size_t c, bool wants_second, SweepWorkspace& work) {
+  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    list_channel(sweep, c, l, wants_second, work, work.at_level[l]);
+  }
+}
+
+/// From the moments of roll at each level, in work.at_level.
+void linearise_headings(const Sweep& sweep, SweepWorkspace& work, HeadingDamping& out) {
+  const RollDampingLevels& levels = sweep.transfer.roll_update[sweep.speed].levels;
+  for (std::size_t h = 0; h < kNumDirections; ++h) {
+    RollVariances variances;
+    for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+      variances.roll[l] = work.at_level[l].m0[h];
+      variances.velocity[l] = work.at_level[l].m2[h];
+    }
+    const LinearisedRoll roll =
+        linearise_roll(sweep.transfer.roll_damping, levels, sweep.transfer.speeds[sweep.speed], variances);
+    out.added[h] = roll.damping;
+    out.residual[h] = roll.residual;
+    for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+      work.level_weight[l][h] = roll.weight[l];
+    }
+  }
+}
+
 }  // namespace
 
 void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const Needs& needs,
@@ -170,31 +257,35 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
     list_encounters(transfer, speed, m, work.encounters[m]);
     has_low = has_low || work.encounters[m].has_low;
   }
+  const Sweep sweep{transfer, speed, watch, needs, sea, has_low};
+  const RollDampingLevels& levels = transfer.roll_update[speed].levels;
+  out.roll_damping.added.fill(levels.added[0]);
+  out.roll_damping.residual.fill(0.0);
+  const std::size_t roll = find_channel(watch, Quantity::kRoll, 0);
+  const bool has_levels = levels.count > 1 && roll < watch.channels.size();
+  if (has_levels) {
+    for (std::size_t m = 0; m <= kHalf; ++m) {
+      damp_motions(transfer, speed, m, work.encounters[m], work.damped[m]);
+    }
+    list_at_levels(sweep, roll, true, work);
+    linearise_headings(sweep, work, out.roll_damping);
+    blend(work, sea.num_systems, true, out.channel[roll]);
+  }
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
-    if (needs[c] == Need::kNone) {
+    if (needs[c] == Need::kNone || (has_levels && c == roll)) {
       continue;
     }
-    Subject subject{transfer, speed, &watch.channels[c], work.wave_of[c], sea, {}};
     const bool wants_second = watch.channels[c].form.wave > 0.0;
-    const bool wants_low = needs[c] == Need::kVarianceAndLowEncounter && has_low;
-    want(Moment::kZeroth, true, subject);
-    want(Moment::kSecond, wants_second, subject);
-    want(Moment::kLowEncounter, wants_low, subject);
-    integrate(subject, work);
-    convolve(subject, 0, work, out.m0[c]);
-    std::copy_n(work.by_system.begin(), sea.num_systems, out.m0_by_system[c].begin());
-    if (wants_second) {
-      convolve(subject, 1, work, out.m2[c]);
-    }
-    if (wants_low) {
-      convolve(subject, subject.moments.size() - 1, work, out.m0_low_encounter[c]);
+    if (has_levels && feels_roll(watch.channels[c])) {
+      list_at_levels(sweep, c, wants_second, work);
+      blend(work, sea.num_systems, wants_second, out.channel[c]);
     } else {
-      out.m0_low_encounter[c].fill(0.0);
+      list_channel(sweep, c, 0, wants_second, work, out.channel[c]);
     }
   }
   out.low_encounter_energy.fill(0.0);
   if (counts_wave_energy && has_low) {
-    Subject waves{transfer, speed, nullptr, 0, sea, {}};
+    Subject waves{transfer, speed, nullptr, 0, sea, 0, {}};
     want(Moment::kLowEncounter, true, waves);
     integrate(waves, work);
     convolve(waves, 0, work, out.low_encounter_energy);

@@ -4,11 +4,14 @@
 // all headings is a circular convolution with what each wave system takes of the band: a product in the
 // Fourier space of direction (base/direction_transform.hpp). Nothing is folded into encounter frequency. Of a
 // channel that is the same from both sides half the directions do.
-// Work a channel, speed and moment: 37 or 72 directions x (frequencies + bands) + 685 x bands + 1,400 x
-// systems multiply-adds at 72 directions. It depends on the sea only through the number of its bands and
+// Where roll damping depends on roll, channels that feel roll are summed at each level of damping
+// (strip/roll_update.hpp); the damping of each heading is found from roll's own moments
+// (roll_linearisation.hpp), and every other moment is taken at it.
+// Work a channel, speed, level and moment: 37 or 72 directions x (frequencies + bands) + 685 x bands + 1,400
+// x systems multiply-adds at 72 directions. It depends on the sea only through the number of its bands and
 // systems: a long-crested sea takes as long as one from all round. Expected error: rounding, 1e-15 of the
 // largest variance on any heading; what is below 1e-13 of that is zero. Sums run in a fixed order: same bits
-// on every run. Memory: the workspace, 0.6 MB: static.
+// on every run. Memory: the workspace, 0.8 MB: static.
 #pragma once
 
 #include <array>
@@ -17,7 +20,9 @@
 
 #include "core/base/capacity.hpp"
 #include "core/base/direction_transform.hpp"
+#include "core/response/damped_motions.hpp"
 #include "core/response/direction_response.hpp"
+#include "core/response/roll_linearisation.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/transfer_functions.hpp"
@@ -31,12 +36,23 @@ using Needs = std::array<Need, kMaxChannels>;
 
 using ByHeading = std::array<double, kNumDirections>;
 
-/// Indexed by heading 2 pi h / kNumDirections last.
+/// Of one channel. Indexed by heading 2 pi h / kNumDirections last.
+struct ChannelMoments {
+  std::array<ByHeading, kMaxWaveSystems> m0_by_system{};
+  ByHeading m0{};
+  ByHeading m2{};
+  ByHeading m0_low_encounter{};
+};
+
+/// Roll damping of one speed on every heading.
+struct HeadingDamping {
+  ByHeading added{};     // b44 [N m s]
+  ByHeading residual{};  // roll_linearisation.hpp
+};
+
 struct HeadingMoments {
-  std::array<std::array<ByHeading, kMaxWaveSystems>, kMaxChannels> m0_by_system{};
-  std::array<ByHeading, kMaxChannels> m0{};
-  std::array<ByHeading, kMaxChannels> m2{};
-  std::array<ByHeading, kMaxChannels> m0_low_encounter{};
+  std::array<ChannelMoments, kMaxChannels> channel{};
+  HeadingDamping roll_damping{};
   ByHeading low_encounter_energy{};  // of the waves themselves [m2]
 };
 
@@ -55,6 +71,11 @@ struct SweepWorkspace {
   HalfCircle<kSystemWidth> part_even{};
   HalfCircle<kSystemWidth> part_odd{};
   std::array<ByHeading, kMaxWaveSystems> by_system{};
+  // Of a speed whose roll damping depends on roll: lateral motions at the dampings beyond the first, moments
+  // of a channel at each, and what each counts for on every heading.
+  std::array<std::array<LateralMotions, kRollDampingLevels - 1>, kNumSolvedDirections> damped{};
+  std::array<ChannelMoments, kRollDampingLevels> at_level{};
+  std::array<ByHeading, kRollDampingLevels> level_weight{};
 };
 
 /// Once a cycle.

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
+#include "core/response/damped_motions.hpp"
 #include "core/response/direction_response.hpp"
+#include "core/response/roll_linearisation.hpp"
 
 namespace quickstrip {
 namespace {
@@ -81,33 +83,110 @@ double of_all_systems(const SeaEnergy& sea, const RelativeEnergy& energy, std::s
   return sum;
 }
 
-/// All channels, one speed, one relative direction; `weight` of this speed among those interpolated between.
-void add_direction(const TransferFunctions& transfer, std::size_t speed, std::size_t m, double weight,
-                   const Watch& watch, const SeaEnergy& sea, const RelativeEnergy& energy,
-                   std::span<ResponseMoments> out) {
+/// One speed on one course, in one sea.
+struct Course {
+  const TransferFunctions& transfer;
+  std::size_t speed;
+  const Watch& watch;
+  const SeaEnergy& sea;
+  Heading heading;
+
+  [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
+};
+
+/// One relative direction, and lateral motions at other dampings there.
+struct Direction {
+  std::size_t m = 0;
   Encounters encounters;
-  list_encounters(transfer, speed, solved_direction(m), encounters);
+  RelativeEnergy energy;
+  std::array<LateralMotions, kRollDampingLevels - 1> damped;
+
+  [[nodiscard]] const LateralMotions* at_level(std::size_t level) const {
+    return level > 0 ? &damped[level - 1] : nullptr;
+  }
+};
+
+/// False: no wave comes from there.
+bool look_towards(const Course& course, std::size_t m, Direction& out) {
+  out.m = m;
+  list_relative_energy(course.sea, course.heading, m, out.energy);
+  if (out.energy.is_empty) {
+    return false;
+  }
+  list_encounters(course.transfer, course.speed, solved_direction(m), out.encounters);
+  if (course.levels().count > 1) {
+    damp_motions(course.transfer, course.speed, solved_direction(m), out.encounters, out.damped);
+  }
+  return true;
+}
+
+/// `weight` times the moments of one channel at one level of roll damping.
+void add_channel(const Course& course, const Direction& direction, std::size_t c, std::size_t level,
+                 double weight, ResponseMoments& out) {
+  const Channel& channel = course.watch.channels[c];
+  const SeaEnergy& sea = course.sea;
   IncidentWave wave;
+  if (channel.form.wave > 0.0) {
+    list_incident_wave(course.transfer, solved_direction(direction.m), channel.position, wave);
+  }
   ChannelValues values;
+  list_values(course.transfer, course.speed, direction.m, channel, direction.at_level(level),
+              direction.encounters, wave, values);
   BandFactors integrals{};
   const auto all = [&](Moment moment) {
-    integrate_moment(transfer, speed, m, encounters, sea, moment, values, integrals);
-    return weight * of_all_systems(sea, energy, integrals);
+    integrate_moment(course.transfer, course.speed, direction.m, direction.encounters, sea, moment, values,
+                     integrals);
+    return weight * of_all_systems(sea, direction.energy, integrals);
   };
-  for (std::size_t c = 0; c < watch.channels.size(); ++c) {
-    const Channel& channel = watch.channels[c];
-    if (channel.form.wave > 0.0) {
-      list_incident_wave(transfer, solved_direction(m), channel.position, wave);
+  out.m0 += all(Moment::kZeroth);
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    out.m0_by_system[s] += weight * of_system(sea, direction.energy, s, integrals);
+  }
+  out.m1 += all(Moment::kFirst);
+  out.m2 += all(Moment::kSecond);
+  if (direction.encounters.has_low) {
+    out.m0_low_encounter += all(Moment::kLowEncounter);
+  }
+}
+
+/// What roll of this course in this sea asks of the damping.
+LinearisedRoll linearise_course(const Course& course) {
+  std::array<ResponseMoments, kRollDampingLevels> roll{};
+  const std::size_t c = find_channel(course.watch, Quantity::kRoll, 0);
+  const bool has_levels = course.levels().count > 1 && c < course.watch.channels.size();
+  Direction direction;
+  for (std::size_t m = 0; has_levels && m < kNumDirections; ++m) {
+    if (look_towards(course, m, direction)) {
+      for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+        add_channel(course, direction, c, l, 1.0, roll[l]);
+      }
     }
-    list_values(transfer, speed, m, channel, encounters, wave, values);
-    out[c].m0 += all(Moment::kZeroth);
-    for (std::size_t s = 0; s < sea.num_systems; ++s) {
-      out[c].m0_by_system[s] += weight * of_system(sea, energy, s, integrals);
+  }
+  RollVariances variances;
+  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    variances.roll[l] = roll[l].m0;
+    variances.velocity[l] = roll[l].m2;
+  }
+  return linearise_roll(course.transfer.roll_damping, course.levels(), course.transfer.speeds[course.speed],
+                        variances);
+}
+
+/// All channels; `weight` of this speed among those interpolated between.
+void add_course(const Course& course, double weight, std::span<ResponseMoments> out,
+                RollDampingInUse& damping) {
+  const LinearisedRoll roll = linearise_course(course);
+  damping.added += weight * roll.damping;
+  damping.residual = std::max(damping.residual, roll.residual);
+  Direction direction;
+  for (std::size_t m = 0; m < kNumDirections; ++m) {
+    if (!look_towards(course, m, direction)) {
+      continue;
     }
-    out[c].m1 += all(Moment::kFirst);
-    out[c].m2 += all(Moment::kSecond);
-    if (encounters.has_low) {
-      out[c].m0_low_encounter += all(Moment::kLowEncounter);
+    for (std::size_t c = 0; c < course.watch.channels.size(); ++c) {
+      const bool is_damped = course.levels().count > 1 && feels_roll(course.watch.channels[c]);
+      for (std::size_t l = 0; l < (is_damped ? kRollDampingLevels : 1); ++l) {
+        add_channel(course, direction, c, l, is_damped ? weight * roll.weight[l] : weight, out[c]);
+      }
     }
   }
 }
@@ -141,8 +220,9 @@ std::size_t wave_direction(std::size_t h, std::size_t m) {
   return (h + kHalfCircle + kNumDirections - m) % kNumDirections;
 }
 
-Status response_moments(const TransferFunctions& transfer, const Watch& watch, const SeaEnergy& sea,
-                        Heading heading, double speed, std::span<ResponseMoments> out) {
+Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
+                                          const SeaEnergy& sea, Heading heading, double speed,
+                                          std::span<ResponseMoments> out) {
   if (out.size() != watch.channels.size() || sea.num_frequencies != transfer.num_frequencies) {
     return Error::kTooMany;
   }
@@ -154,18 +234,12 @@ Status response_moments(const TransferFunctions& transfer, const Watch& watch, c
     return bracket.error();
   }
   std::fill(out.begin(), out.end(), ResponseMoments{});
-  RelativeEnergy energy;
-  for (std::size_t m = 0; m < kNumDirections; ++m) {
-    list_relative_energy(sea, heading, m, energy);
-    if (energy.is_empty) {
-      continue;
-    }
-    if (bracket->part < 1.0) {
-      add_direction(transfer, bracket->lower, m, 1.0 - bracket->part, watch, sea, energy, out);
-    }
-    if (bracket->part > 0.0) {
-      add_direction(transfer, bracket->upper, m, bracket->part, watch, sea, energy, out);
-    }
+  RollDampingInUse damping;
+  if (bracket->part < 1.0) {
+    add_course({transfer, bracket->lower, watch, sea, heading}, 1.0 - bracket->part, out, damping);
+  }
+  if (bracket->part > 0.0) {
+    add_course({transfer, bracket->upper, watch, sea, heading}, bracket->part, out, damping);
   }
   // The cubic of a density may undershoot beside a sharp edge of a measured system.
   for (ResponseMoments& moments : out) {
@@ -179,7 +253,10 @@ Status response_moments(const TransferFunctions& transfer, const Watch& watch, c
   const bool finite = std::all_of(out.begin(), out.end(), [](const ResponseMoments& moments) {
     return std::isfinite(moments.m0) && std::isfinite(moments.m2);
   });
-  return finite ? Status() : Status(Error::kNotFinite);
+  if (!finite) {
+    return Error::kNotFinite;
+  }
+  return damping;
 }
 
 Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea,

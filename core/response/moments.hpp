@@ -5,6 +5,8 @@
 // Between the nodes the moments are interpolated bilinearly: in heading between the directions of the wave
 // energy, in speed between the solved speeds. Channels that feel roll are summed at the points of the roll
 // peak as well (peak_terms.hpp).
+// Where roll damping depends on roll, the damping of this course is found first, at each of the two speeds,
+// as the sweep does it (heading_moments.hpp).
 // Cost: 2 speeds x 72 directions x channels x (frequencies + bands of the sea).
 #pragma once
 
@@ -30,10 +32,18 @@ struct ResponseMoments {
   std::array<double, kMaxWaveSystems> m0_by_system{};
 };
 
-/// out: one per channel of the watch. Errors: kSpeedOutOfGrid, kNotFinite; kTooMany when the sea and the
-/// transfer functions have different frequencies or `out` another length than the watch.
-Status response_moments(const TransferFunctions& transfer, const Watch& watch, const SeaEnergy& sea,
-                        Heading heading, double speed, std::span<ResponseMoments> out);
+/// Roll damping at a course and speed.
+struct RollDampingInUse {
+  double added = 0.0;     // b44 [N m s]
+  double residual = 0.0;  // of its linearisation (roll_linearisation.hpp); 0 where it does not depend on roll
+};
+
+/// Returns the roll damping that the moments rest on. out: one per channel of the watch. Errors:
+/// kSpeedOutOfGrid, kNotFinite; kTooMany when the sea and the transfer functions have different frequencies
+/// or `out` another length than the watch.
+Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
+                                          const SeaEnergy& sea, Heading heading, double speed,
+                                          std::span<ResponseMoments> out);
 
 /// The share of the wave energy itself that meets the ship below the encounter-frequency floor, in [0, 1].
 /// Needed where loads are forced to zero there ([Journee1992] §2): the variances then do not show what they

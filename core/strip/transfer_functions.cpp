@@ -29,10 +29,10 @@ double node_density(double omega, double froude_frequency) {
 }
 
 Status solve_direction(const LoadedHull& hull, std::size_t m,
-                       std::span<const RollResonance, kMaxSpeeds> resonances, TransferFunctions& out) {
+                       std::span<const RollResonance, kMaxSpeeds> resonances, TransferWorkspace& work,
+                       TransferFunctions& out) {
   const EncounterAngle mu = solved_angle(m);
   const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
-  TransferWorkspace& work = out.workspace;
   WaveField field;
   for (std::size_t f = 0; f < out.num_frequencies; ++f) {
     section_waves(hull, out.omega[f], mu, work.sections[f]);
@@ -68,24 +68,27 @@ void set_frequency(const LoadedHull& hull, std::size_t f, double omega, Transfer
 }
 
 Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const double> speeds,
-                                   TransferFunctions& out) {
+                                   TransferWorkspace& work, TransferFunctions& out) {
   if (speeds.empty() || speeds.size() > kMaxSpeeds) {
     return Error::kTooMany;
   }
   out.num_speeds = speeds.size();
   out.gravity = hull.gravity;
+  out.roll_damping = hull.roll_damping;
+  out.critical_roll_damping = 2.0 * hull.restoring.c44 / hull.roll_natural_frequency;
   std::copy(speeds.begin(), speeds.end(), out.speeds.begin());
   std::array<RollResonance, kMaxSpeeds> resonances{};
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     resonances[v] = roll_resonance(hull, out.speeds[v]);
+    out.roll_update[v] = roll_update(hull, out.speeds[v], out.encounter_floor[0]);
   }
   if (hull.method.loads == DiffractionLoads::kHaskind) {
     for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-      beam_sea_correction(hull, out.omega[f], out.workspace.correction[f]);
+      beam_sea_correction(hull, out.omega[f], work.correction[f]);
     }
   }
   for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
-    if (const Status solved = solve_direction(hull, m, resonances, out); !solved) {
+    if (const Status solved = solve_direction(hull, m, resonances, work, out); !solved) {
       return solved;
     }
   }
@@ -142,13 +145,14 @@ void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
 }
 
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
-                                TransferFunctions& out) {
+                                TransferWorkspace& work, TransferFunctions& out) {
   choose_frequencies(hull, out);
-  return solve_at_chosen_frequencies(hull, speeds, out);
+  return solve_at_chosen_frequencies(hull, speeds, work, out);
 }
 
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
-                                std::span<const double> omega, TransferFunctions& out) {
+                                std::span<const double> omega, TransferWorkspace& work,
+                                TransferFunctions& out) {
   if (omega.size() < 4 || omega.size() > kMaxFrequencies) {
     return Error::kTooMany;
   }
@@ -156,7 +160,7 @@ Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> 
   for (std::size_t f = 0; f < omega.size(); ++f) {
     set_frequency(hull, f, omega[f], out);
   }
-  return solve_at_chosen_frequencies(hull, speeds, out);
+  return solve_at_chosen_frequencies(hull, speeds, work, out);
 }
 
 }  // namespace quickstrip

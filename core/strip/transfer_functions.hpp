@@ -13,7 +13,9 @@
 #include "core/base/result.hpp"
 #include "core/strip/loaded_hull.hpp"
 #include "core/strip/motion_transfer.hpp"
+#include "core/strip/roll_damping.hpp"
 #include "core/strip/roll_peak.hpp"
+#include "core/strip/roll_update.hpp"
 #include "core/strip/wave_loads.hpp"
 
 namespace quickstrip {
@@ -26,7 +28,7 @@ struct MotionRow {
   std::array<ByFrequency, 6> im{};
 };
 
-/// Of one direction at a time.
+/// Scratch of one direction at a time; its contents mean nothing between calls.
 struct TransferWorkspace {
   std::array<SectionWaves, kMaxFrequencies> sections{};
   std::array<BeamSeaCorrection, kMaxFrequencies> correction{};
@@ -34,7 +36,7 @@ struct TransferWorkspace {
   std::array<std::array<Encounter, kMaxFrequencies>, kMaxSpeeds> encounter{};
 };
 
-/// 3.6 MB at full capacity: static. row[v][m]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
+/// 3.7 MB at full capacity: static. row[v][m]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
 struct TransferFunctions {
   std::size_t num_speeds = 0;
   std::size_t num_frequencies = 0;
@@ -45,7 +47,9 @@ struct TransferFunctions {
   std::array<double, kMaxFrequencies> encounter_floor{};  // of |omega_e| [rad/s]
   std::array<std::array<MotionRow, kNumSolvedDirections>, kMaxSpeeds> row{};
   std::array<std::array<RollPeak, kNumSolvedDirections>, kMaxSpeeds> peak{};  // [v][m]
-  TransferWorkspace workspace;  // scratch, no meaning between calls
+  RollDampingModel roll_damping;
+  double critical_roll_damping = 0.0;              // 2 c44 / omega_n [N m s]
+  std::array<RollUpdate, kMaxSpeeds> roll_update;  // to motions at other roll dampings
 };
 
 /// mu of solved direction m [rad].
@@ -60,10 +64,11 @@ void choose_frequencies(const LoadedHull& hull, TransferFunctions& out);
 /// Solves the whole grid: speeds [m/s] >= 0, at most kMaxSpeeds. Errors: kTooMany, kSingular. Cost: 44,400
 /// solutions of 24 sections at full capacity and up to 31,500 more at the peaks, see the benchmark.
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
-                                TransferFunctions& out);
+                                TransferWorkspace& work, TransferFunctions& out);
 
 /// The same on wave frequencies of the caller's choice: 4 ... kMaxFrequencies (else kTooMany), increasing.
 Status solve_transfer_functions(const LoadedHull& hull, std::span<const double> speeds,
-                                std::span<const double> omega, TransferFunctions& out);
+                                std::span<const double> omega, TransferWorkspace& work,
+                                TransferFunctions& out);
 
 }  // namespace quickstrip

@@ -1,5 +1,6 @@
 // Prints the bytes of everything that the advisor holds, in the profile of capacities that it is built with,
 // and those of the section table, which is constant and lies in flash.
+#include <algorithm>
 #include <cstdio>
 
 #include "core/advisor.hpp"
@@ -25,9 +26,10 @@ int main() {
   print("  TransferFunctions", sizeof(TransferFunctions));
   print("    motions at wave frequencies", sizeof(TransferFunctions::row));
   print("    motions at roll peaks", sizeof(TransferFunctions::peak));
-  print("    scratch", sizeof(TransferWorkspace));
   print("  SeaEnergy", sizeof(SeaEnergy));
-  print("  GridWorkspace", sizeof(GridWorkspace));
+  print("  Scratch: the larger of these", std::max(sizeof(GridWorkspace), sizeof(TransferWorkspace)));
+  print("    of a cycle", sizeof(GridWorkspace));
+  print("    of a change of loading", sizeof(TransferWorkspace));
   print("  StepOutput", sizeof(StepOutput));
   print("Section table, constant", section_table_bytes());
   return 0;

@@ -82,6 +82,7 @@ std::optional<double> if_computed(double value) {
 
 // All that one speed needs; some MB, on the heap.
 struct Solved {
+  TransferWorkspace work;
   TransferFunctions transfer;
   Watch watch;
   SeaEnergy sea;
@@ -101,7 +102,8 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
     throw InputError{ship.floating->file + ": " + message(criteria.error())};
   }
   const double speed = from_knots(speed_kn);
-  refuse(ship.floating->file, solve_transfer_functions(*ship.loaded, std::span(&speed, 1), s.transfer));
+  refuse(ship.floating->file,
+         solve_transfer_functions(*ship.loaded, std::span(&speed, 1), s.work, s.transfer));
   const CriteriaChannels channels = bind_criteria(*criteria, s.watch);
   GridInputs inputs{s.transfer, s.watch, *criteria, channels, s.sea};
   inputs.lpp = hull.lpp;

@@ -113,6 +113,7 @@ class RollPeakTest : public testing::Test {
   Hull hull_ = test::s175();
   std::unique_ptr<LoadedHull> ship_ = std::make_unique<LoadedHull>();
   std::unique_ptr<TransferFunctions> transfer_ = std::make_unique<TransferFunctions>();
+  std::unique_ptr<TransferWorkspace> work_ = std::make_unique<TransferWorkspace>();
   std::unique_ptr<SeaEnergy> sea_ = std::make_unique<SeaEnergy>();
   Watch watch_;
   std::size_t roll_ = 0;
@@ -158,7 +159,7 @@ TEST_F(RollPeakTest, GivesTheRollOfBruteForceOnAllHeadingsWhereverTheFrequencies
     }
     for (int shift = 0; shift < kShifts; ++shift) {
       const auto nodes = shifted_nodes(static_cast<double>(shift) / kShifts - 0.5);
-      ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, nodes, *transfer_).ok());
+      ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, nodes, *work_, *transfer_).ok());
       for (std::size_t i = 0; i < cases.size(); ++i) {
         const bool rolls = exact[i] > 0.01 * largest[i % 3];
         const double error = error_of(cases[i], nodes, exact[i]);
@@ -186,7 +187,7 @@ TEST_F(RollPeakTest, GivesTheRollOfBruteForceOnAllHeadingsWhereverTheFrequencies
 TEST_F(RollPeakTest, HoldsAtItsPointsTheMotionsOfTheEquationsThemselves) {
   set_roll_damping_ratio(*ship_, 0.02);
   const std::array<double, 3> speeds = {0.0, 12.0 * kKnot, 20.0 * kKnot};
-  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *transfer_).ok());
+  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *work_, *transfer_).ok());
   const double step = transfer_->omega[1] / transfer_->omega[0] - 1.0;
   std::array<double, 3> worst{};
   std::size_t num_points = 0;
@@ -221,7 +222,7 @@ TEST_F(RollPeakTest, HoldsAtItsPointsTheMotionsOfTheEquationsThemselves) {
 TEST_F(RollPeakTest, IsTheSameForWavesFromPortAndFromStarboard) {
   set_roll_damping_ratio(*ship_, 0.02);
   const std::array<double, 1> speeds = {15.0 * kKnot};
-  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *transfer_).ok());
+  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *work_, *transfer_).ok());
   for (const double mu_deg : {30.0, 60.0, 90.0, 135.0}) {
     const Case starboard{long_crested(14.0, SpectrumShape::kJonswap, 3.3), mu_deg, speeds[0]};
     Case port = starboard;
@@ -242,10 +243,10 @@ TEST_F(RollPeakTest, IsTheSameForWavesFromPortAndFromStarboard) {
 TEST_F(RollPeakTest, IsTheSameBitForBitWhenSolvedAgain) {
   const std::array<double, 2> speeds = {5.0, 10.0};
   const auto again = std::make_unique<TransferFunctions>();
-  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *transfer_).ok());
-  ASSERT_TRUE(
-      solve_transfer_functions(*ship_, std::span(speeds).first(1), *again).ok());  // leaves old scratch
-  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *again).ok());
+  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *work_, *transfer_).ok());
+  ASSERT_TRUE(solve_transfer_functions(*ship_, std::span(speeds).first(1), *work_, *again)
+                  .ok());  // leaves old scratch
+  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *work_, *again).ok());
   for (std::size_t v = 0; v < speeds.size(); ++v) {
     for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
       const RollPeak& a = transfer_->peak[v][m];
@@ -264,7 +265,7 @@ TEST_F(RollPeakTest, IsTheSameBitForBitWhenSolvedAgain) {
 TEST_F(RollPeakTest, AddsNothingWhereTheResponseIsAStraightLine) {
   set_roll_damping_ratio(*ship_, 0.02);
   const std::array<double, 1> speeds = {0.0};
-  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *transfer_).ok());
+  ASSERT_TRUE(solve_transfer_functions(*ship_, speeds, *work_, *transfer_).ok());
   for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
     transfer_->row[0][m].re[3].fill(1.0F);
     transfer_->row[0][m].im[3].fill(0.0F);

@@ -159,7 +159,8 @@ struct Sweep {
     for (std::size_t v = 0; v < kMaxSpeeds; ++v) {
       speeds.push_back(static_cast<double>(v) * kKnot);
     }
-    is_ready = solve_transfer_functions(loaded, speeds, omega, transfer).ok() &&
+    const auto work = std::make_unique<TransferWorkspace>();
+    is_ready = solve_transfer_functions(loaded, speeds, omega, *work, transfer).ok() &&
                list_channels(at.hull, at.hull.loading, loaded.hydrostatics, watch).ok();
     channels = bind_criteria(criteria, watch);
     is_ready = is_ready && (at.inputs.spectrum != nullptr ? place_on_grid(*at.inputs.spectrum, omega, sea)

@@ -30,10 +30,11 @@ Hull wigley_ship(std::size_t stations) {
 void load_and_solve(benchmark::State& state, const Hull& hull) {
   const auto loaded = std::make_unique<LoadedHull>();
   const auto transfer = std::make_unique<TransferFunctions>();
+  const auto work = std::make_unique<TransferWorkspace>();
   const auto speeds = contract_speeds();
   for (auto _ : state) {
     if (!load(hull, hull.loading, StripMethod{}, *loaded) ||
-        !solve_transfer_functions(*loaded, speeds, *transfer)) {
+        !solve_transfer_functions(*loaded, speeds, *work, *transfer)) {
       state.SkipWithError("the hull is refused");
       return;
     }

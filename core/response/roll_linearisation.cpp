@@ -1,0 +1,85 @@
+#include "core/response/roll_linearisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace quickstrip {
+namespace {
+
+constexpr int kMostSteps = 12;
+constexpr double kConverged = 1e-7;  // of ln b
+// Slope of ln(damping called for) - ln(damping): less roll calls for less damping, never in more than
+// proportion.
+constexpr double kSteepest = -2.0;
+constexpr double kFlattest = -1.0;
+constexpr double kLeastShare = 1e-6;  // of a level: a model that gives nothing keeps its logarithm finite
+
+double blend(const ByLevel& weight, const ByLevel& values) {
+  return std::max(0.0, std::inner_product(weight.begin(), weight.end(), values.begin(), 0.0));
+}
+
+/// The added damping that the roll at `damping` calls for.
+double called_for(const RollDampingModel& model, const RollDampingLevels& levels, double speed,
+                  const RollVariances& at, double damping) {
+  const ByLevel weight = level_weights(levels, damping);
+  const double roll = blend(weight, at.roll);
+  const double velocity = blend(weight, at.velocity);
+  if (!(roll > 0.0) || !(velocity > 0.0)) {
+    return levels.added[0];
+  }
+  return added_roll_damping_gaussian(model, speed, std::sqrt(roll), std::sqrt(velocity / roll));
+}
+
+}  // namespace
+
+ByLevel level_weights(const RollDampingLevels& levels, double damping) {
+  ByLevel weight{};
+  if (levels.count == 1) {
+    weight[0] = 1.0;
+    return weight;
+  }
+  ByLevel node{};
+  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    node[l] = 1.0 / (levels.own + levels.added[l]);
+  }
+  const double y = 1.0 / (levels.own + damping);
+  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    weight[l] = 1.0;
+    for (std::size_t k = 0; k < kRollDampingLevels; ++k) {
+      weight[l] *= k == l ? 1.0 : (y - node[k]) / (node[l] - node[k]);
+    }
+  }
+  return weight;
+}
+
+LinearisedRoll linearise_roll(const RollDampingModel& model, const RollDampingLevels& levels, double speed,
+                              const RollVariances& at) {
+  LinearisedRoll out{
+      .damping = levels.added[0], .residual = 0.0, .weight = level_weights(levels, levels.added[0])};
+  if (levels.count == 1 || !(at.roll[0] > 0.0) || !(at.velocity[0] > 0.0)) {
+    return out;
+  }
+  const auto excess = [&](double log_damping) {
+    const double called = called_for(model, levels, speed, at, std::exp(log_damping));
+    return std::log(std::max(called, kLeastShare * levels.added[1])) - log_damping;
+  };
+  double x = std::log(levels.added[1]);
+  double f = excess(x);
+  double slope = 0.5 * (kSteepest + kFlattest);
+  for (int step = 0; step < kMostSteps && std::fabs(f) > kConverged; ++step) {
+    const double next = x - f / slope;
+    const double f_next = excess(next);
+    if (next != x) {
+      slope = std::clamp((f_next - f) / (next - x), kSteepest, kFlattest);
+    }
+    x = next;
+    f = f_next;
+  }
+  out.damping = std::exp(x);
+  out.residual = std::fabs(std::expm1(f));
+  out.weight = level_weights(levels, out.damping);
+  return out;
+}
+
+}  // namespace quickstrip

@@ -1,0 +1,47 @@
+// Roll in a seaway damps itself: eddies and bilge keels take more, the more she rolls. The linear damping
+// that takes as much energy as the nonlinear one from *this* roll, in *this* sea, on this course at this
+// speed.
+//
+// Stochastic linearisation of a Gaussian roll [ITTC2011]: quadratic damping b2 counts as sqrt(8/pi)
+// sigma_phidot b2; what the components take in the mean of such a roll, at its own RMS and its own frequency
+// omega = sigma_phidot / sigma_phi, is strip/roll_damping.hpp's. Damping and roll answer each other:
+// variances are known at a few dampings (strip/roll_update.hpp), between them as a parabola of 1 / (b + own),
+// which is what the variance of a resonant roll goes with; then ln b is found by secants, at most kMostSteps.
+// Slope of the equation in ln b is within -1 ... -2, so it has one root. Expected error of the interpolation:
+// tests/response. Cost: some 0.1 us a step, four or five steps; no state.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/capacity.hpp"
+#include "core/strip/roll_damping.hpp"
+#include "core/strip/roll_update.hpp"
+
+namespace quickstrip {
+
+using ByLevel = std::array<double, kRollDampingLevels>;
+
+/// Of the equation |ln(damping of the roll / damping)|: what is left above it is "not converged".
+inline constexpr double kRollResidualLimit = 1e-3;
+
+/// Variances of roll and of its velocity at the dampings of RollDampingLevels.
+struct RollVariances {
+  ByLevel roll{};      // rad2
+  ByLevel velocity{};  // rad2/s2
+};
+
+struct LinearisedRoll {
+  double damping = 0.0;   // added b44 [N m s]
+  double residual = 0.0;  // |damping that this roll calls for / damping - 1|
+  ByLevel weight{};       // of a variance at each level, their sum is one
+};
+
+/// Weights for an added damping >= 0.
+ByLevel level_weights(const RollDampingLevels& levels, double damping);
+
+/// With one level, or without roll: that level, no residual.
+LinearisedRoll linearise_roll(const RollDampingModel& model, const RollDampingLevels& levels, double speed,
+                              const RollVariances& at);
+
+}  // namespace quickstrip

@@ -1,0 +1,174 @@
+// Roll in a seaway: the damping that its own roll calls for, against the equation solved by other means, and
+// against motions solved again at every trial of the damping.
+#include "core/response/roll_linearisation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "core/response/heading_moments.hpp"
+#include "core/response/moments.hpp"
+#include "core/sea/sea_energy.hpp"
+#include "core/strip/transfer_functions.hpp"
+#include "tests/support/hulls.hpp"
+
+namespace quickstrip {
+namespace {
+
+Hull s175_with_keels() {
+  Hull hull = test::s175();
+  hull.roll_damping.method = RollDampingMethod::kIkeda;
+  hull.roll_damping.bilge_keel = BilgeKeel{61.0, 114.0, 0.35};
+  return hull;
+}
+
+RollDampingLevels three_levels() {
+  return {.count = 3, .added = {2.0, 5.0, 11.0}, .own = 1.0};
+}
+
+TEST(RollLinearisation, WeightsAreOneAtTheirLevelAndSumToOneEverywhere) {
+  const RollDampingLevels levels = three_levels();
+  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    const ByLevel weight = level_weights(levels, levels.added[l]);
+    for (std::size_t k = 0; k < kRollDampingLevels; ++k) {
+      EXPECT_NEAR(weight[k], k == l ? 1.0 : 0.0, 1e-14);
+    }
+  }
+  for (const double damping : {0.5, 2.5, 7.0, 30.0}) {
+    const ByLevel weight = level_weights(levels, damping);
+    EXPECT_NEAR(weight[0] + weight[1] + weight[2], 1.0, 1e-13);
+  }
+}
+
+TEST(RollLinearisation, WithoutRollIsTheSmallestDamping) {
+  const LinearisedRoll roll = linearise_roll({}, three_levels(), 0.0, {});
+  EXPECT_EQ(roll.damping, 2.0);
+  EXPECT_EQ(roll.residual, 0.0);
+}
+
+struct Seaway {
+  double hs;
+  double tp;
+  double mu_deg;
+  double speed;
+  double spreading_deg;
+};
+
+class LinearisedS175 : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(load(hull_, hull_.loading, {}, *ship_).ok());
+    ASSERT_TRUE(list_channels(hull_, hull_.loading, ship_->hydrostatics, watch_).ok());
+    roll_ = find_channel(watch_, Quantity::kRoll, 0);
+  }
+
+  void solve(double speed) {
+    ASSERT_TRUE(solve_transfer_functions(*ship_, std::span(&speed, 1), *work_, *transfer_).ok());
+  }
+
+  // For a ship heading north.
+  void place(const Seaway& at) {
+    SeaState sea;
+    ASSERT_TRUE(sea.systems.push_back({at.hs, at.tp, PeriodKind::kPeak, WaveFrom{radians(180.0 - at.mu_deg)},
+                                       radians(at.spreading_deg), SpectrumShape::kBretschneider, 1.0}));
+    const auto omega = std::span(transfer_->omega).first(transfer_->num_frequencies);
+    ASSERT_TRUE(place_on_grid(sea, omega, *sea_).ok());
+  }
+
+  RollDampingInUse respond(const Seaway& at, std::vector<ResponseMoments>& out) {
+    out.resize(watch_.channels.size());
+    const Result<RollDampingInUse> damping =
+        response_moments(*transfer_, watch_, *sea_, {0.0}, at.speed, out);
+    EXPECT_TRUE(damping.ok());
+    return *damping;
+  }
+
+  // Bisection on the damping, every motion solved again at each trial.
+  double damping_by_brute_force(const Seaway& at, const RollDampingModel& model,
+                                std::vector<ResponseMoments>& out) {
+    double low = 0.2 * small_roll_damping(model, at.speed);
+    double high = 20.0 * small_roll_damping(model, at.speed);
+    for (int i = 0; i < 14; ++i) {
+      const double middle = std::sqrt(low * high);
+      ship_->roll_damping = constant_roll_damping(middle, ship_->roll_natural_frequency);
+      solve(at.speed);
+      respond(at, out);
+      const double rms = std::sqrt(out[roll_].m0);
+      const double omega = std::sqrt(out[roll_].m2 / out[roll_].m0);
+      (added_roll_damping_gaussian(model, at.speed, rms, omega) > middle ? low : high) = middle;
+    }
+    ship_->roll_damping = model;
+    return std::sqrt(low * high);
+  }
+
+  Hull hull_ = s175_with_keels();
+  std::unique_ptr<LoadedHull> ship_ = std::make_unique<LoadedHull>();
+  std::unique_ptr<TransferFunctions> transfer_ = std::make_unique<TransferFunctions>();
+  std::unique_ptr<TransferWorkspace> work_ = std::make_unique<TransferWorkspace>();
+  std::unique_ptr<SeaEnergy> sea_ = std::make_unique<SeaEnergy>();
+  Watch watch_;
+  std::size_t roll_ = 0;
+};
+
+// Interpolation between levels and the update of motions are all that differs: 1 % of an RMS.
+TEST_F(LinearisedS175, AgreesWithMotionsSolvedAgainAtEveryTrialOfTheDamping) {
+  std::printf(
+      "  Hs    Tp   mu  V     damping, brute force  ratio   roll RMS deg  error %%   worst other %%\n");
+  for (const Seaway& at : {Seaway{2.0, 9.0, 90.0, 0.0, 0.0}, Seaway{5.0, 12.0, 90.0, 0.0, 0.0},
+                           Seaway{8.0, 17.0, 90.0, 5.0, 25.0}, Seaway{5.0, 12.0, 60.0, 8.0, 25.0},
+                           Seaway{8.0, 14.0, 120.0, 8.0, 25.0}, Seaway{4.0, 8.0, 45.0, 5.0, 0.0}}) {
+    solve(at.speed);
+    place(at);
+    std::vector<ResponseMoments> ours;
+    const RollDampingInUse damping = respond(at, ours);
+    EXPECT_LT(damping.residual, 1e-6);
+    const RollDampingModel model = ship_->roll_damping;
+    std::vector<ResponseMoments> exact;
+    const double brute = damping_by_brute_force(at, model, exact);
+    const double error = std::sqrt(ours[roll_].m0 / exact[roll_].m0) - 1.0;
+    double worst = 0.0;
+    for (std::size_t c = 0; c < ours.size(); ++c) {
+      worst = std::max(worst, std::fabs(std::sqrt(ours[c].m0 / exact[c].m0) - 1.0));
+    }
+    std::printf("%5.1f %5.1f %4.0f %3.0f %12.4g %12.4g %8.4f %10.2f %10.3f %10.3f\n", at.hs, at.tp, at.mu_deg,
+                at.speed, damping.added, brute, damping.added / transfer_->critical_roll_damping,
+                radians(1.0) > 0.0 ? std::sqrt(ours[roll_].m0) / radians(1.0) : 0.0, 100.0 * error,
+                100.0 * worst);
+    EXPECT_NEAR(damping.added / brute, 1.0, 0.02);
+    EXPECT_LT(std::fabs(error), 0.01);
+    EXPECT_LT(worst, 0.01);
+  }
+}
+
+TEST_F(LinearisedS175, SweepAndSingleCourseAgree) {
+  const double speed = 6.0;
+  solve(speed);
+  place({6.0, 13.0, 60.0, speed, 30.0});
+  const auto work = std::make_unique<SweepWorkspace>();
+  const auto moments = std::make_unique<HeadingMoments>();
+  Needs needs{};
+  needs.fill(Need::kVarianceAndLowEncounter);
+  prepare_sweep(*transfer_, watch_, needs, *work);
+  list_heading_moments(*transfer_, 0, watch_, needs, *sea_, false, *work, *moments);
+  std::vector<ResponseMoments> one(watch_.channels.size());
+  for (std::size_t h = 0; h < kNumDirections; h += 7) {
+    const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(kNumDirections)};
+    const Result<RollDampingInUse> damping = response_moments(*transfer_, watch_, *sea_, heading, speed, one);
+    ASSERT_TRUE(damping.ok());
+    EXPECT_NEAR(moments->roll_damping.added[h] / damping->added, 1.0, 1e-6);
+    for (std::size_t c = 0; c < one.size(); ++c) {
+      // Transforms round at 1e-13 of the largest variance on any heading; dampings differ by the 1e-7 to
+      // which both are solved.
+      const ByHeading& all = moments->channel[c].m0;
+      const double largest = *std::max_element(all.begin(), all.end());
+      EXPECT_NEAR(all[h], one[c].m0, 1e-6 * one[c].m0 + 1e-12 * largest) << c << " heading " << h;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace quickstrip
