@@ -37,4 +37,26 @@ std::string read_text_file(const std::filesystem::path& path, std::size_t max_by
   return text;
 }
 
+FileStatus write_text_file(std::string_view text, const std::filesystem::path& path) {
+  const std::filesystem::path beside = path.string() + ".part";
+  std::error_code failed;
+  if (std::filesystem::is_directory(path, failed)) {
+    return FileError{
+        fmt::format("{}: a folder: the name of a file is wanted", printable(path.string(), 1000))};
+  }
+  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  failed.clear();
+  if (file) {
+    std::filesystem::rename(beside, path, failed);
+  }
+  if (!file || failed) {
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
+    return FileError{fmt::format("{}: cannot be written", printable(path.string(), 1000))};
+  }
+  return {};
+}
+
 }  // namespace quickstrip

@@ -4,12 +4,11 @@
 
 #include <memory>
 
-#include "core/advice/nordforsk.hpp"
-#include "core/advisor.hpp"
 #include "core/hull/imo_roll_period.hpp"
 #include "core/hull/lewis_section.hpp"
 #include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
+#include "sim/hull_tool/advisor_check.hpp"
 #include "sim/hull_tool/check_remarks.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
@@ -90,26 +89,13 @@ void report_grid(const FloatingHull& ship, std::string& text) {
                    to_knots(grid.speed_to), to_knots(grid.speed_step), degrees(grid.heading_step)));
 }
 
-// The advisor itself, with its default criteria: what it refuses, this file does not pass.
-void report_advisor(const FloatingHull& ship, std::string& text) {
-  const auto advisor = std::make_unique<Advisor>();
-  const Result<Criteria> criteria = nordforsk_merchant(ship.hull);
-  const Status configured =
-      criteria ? advisor->configure(ship.hull, *criteria, StripMethod{}) : Status(criteria.error());
-  if (!configured) {
-    throw InputError{explain(configured.error(), ship, {})};
-  }
-  line(text, "natural roll period",
-       fmt::format("{:.4g} s by strip theory", kTwoPi / advisor->loaded_hull().roll_natural_frequency));
-}
-
 void run(const std::string& file) {
   const auto ship = float_hull(file);
   std::string text;
   report_stations(*ship, text);
   report_replaced(*ship, text);
   report_hydrostatics(*ship, text);
-  report_advisor(*ship, text);
+  line(text, "natural roll period", fmt::format("{:.4g} s by strip theory", advisor_roll_period(*ship)));
   report_grid(*ship, text);
   for (const std::string& remark : warnings_of(*ship)) {
     line(text, "warning", remark);

@@ -16,6 +16,7 @@ void add_motions(CLI::App& app);
 void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_transform(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -28,6 +29,7 @@ inline void add_commands(CLI::App& app) {
   add_responses(app);
   add_grid(app);
   add_compare(app);
+  add_transform(app);
 }
 
 }  // namespace quickstrip::hull_tool

@@ -24,6 +24,19 @@ Loading loading_of(const FloatingHull& ship, const LoadingOptions& options) {
   return loading;
 }
 
+// Cuts and floats the hull that was read.
+void settle(FloatingHull& ship, const LoadingOptions& options) {
+  ship.loading = loading_of(ship, options);
+  if (const Status status = immerse(ship.hull, ship.loading, ship.sections); !status) {
+    throw InputError{explain(status.error(), ship, options)};
+  }
+  const auto result = hydrostatics(ship.hull, ship.loading, ship.sections);
+  if (!result) {
+    throw InputError{explain(result.error(), ship, options)};
+  }
+  ship.hydrostatics = *result;
+}
+
 }  // namespace
 
 void add_hull_argument(CLI::App& command, std::string& file) {
@@ -45,15 +58,15 @@ std::unique_ptr<FloatingHull> float_hull(const std::string& file, const LoadingO
   if (const FileStatus status = read_hull_file(file, ship->hull); !status) {
     throw InputError{status.line()};
   }
-  ship->loading = loading_of(*ship, options);
-  if (const Status status = immerse(ship->hull, ship->loading, ship->sections); !status) {
-    throw InputError{explain(status.error(), *ship, options)};
-  }
-  const auto result = hydrostatics(ship->hull, ship->loading, ship->sections);
-  if (!result) {
-    throw InputError{explain(result.error(), *ship, options)};
-  }
-  ship->hydrostatics = *result;
+  settle(*ship, options);
+  return ship;
+}
+
+std::unique_ptr<FloatingHull> float_hull_text(std::string_view text, const std::string& file) {
+  auto ship = std::make_unique<FloatingHull>();
+  ship->file = file;
+  require(parse_hull(text, file, ship->hull));
+  settle(*ship, {});
   return ship;
 }
 

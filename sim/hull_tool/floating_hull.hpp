@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.hpp"
 #include "core/hull/hull.hpp"
@@ -37,6 +38,9 @@ void add_loading_options(CLI::App& command, LoadingOptions& options);
 /// Reads, cuts, floats. A gm_m of the file does not survive another draught or kg: dropped, with a note on
 /// standard error. Throws InputError.
 std::unique_ptr<FloatingHull> float_hull(const std::string& file, const LoadingOptions& options = {});
+
+/// The same from the text of a hull file; `file` is the name that refusals quote.
+std::unique_ptr<FloatingHull> float_hull_text(std::string_view text, const std::string& file);
 
 /// core's refusal as one line of file, field, value and what would be right.
 std::string explain(Error error, const FloatingHull& ship, const LoadingOptions& options);

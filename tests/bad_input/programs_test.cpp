@@ -207,5 +207,45 @@ TEST_F(Programs, CheckAndAdvisorAgreeOnEveryFile) {
   EXPECT_LT(num_passed, static_cast<int>(edits.size()));
 }
 
+TEST_F(Programs, TransformsThatCannotBeExitOneAndLeaveNothingBehind) {
+  const std::string bad = folder_.file("bad.toml", "schema = 1\n");
+  const std::string good = folder_.file("s175.toml", source_text("sim/hulls/s175.hull.toml"));
+  const std::string transform = kHull + " transform s175.toml --out ";
+  expect_bad(kHull + " transform none.toml --out o.toml", {"none.toml: no such file"});
+  expect_bad(kHull + " transform bad.toml --out o.toml", {"bad.toml: name: missing"});
+  expect_bad(transform + "none/o.toml", {"none/o.toml: cannot be written"});
+  expect_bad(transform + ".", {".: a folder"});
+  expect_bad(transform + "o.toml --change-cb 0.2", {"--change-cb = 0.2", "0.117 is possible"});
+  expect_bad(transform + "o.toml --shift-lcb-lpp -0.08", {"--shift-lcb-lpp = -0.08", "is possible"});
+  expect_bad(transform + "o.toml --shift-lcb-m 9 --change-cb 0.1",
+             {"--shift-lcb-m = 9", "together are possible"});
+  expect_bad(transform + "o.toml --scale 3", {"--scale = 3", "525 m", "2.857 is possible"});
+  expect_bad(transform + "o.toml --scale 0.005", {"--scale = 0.005", "is possible"});
+  expect_bad(transform + "o.toml --name \"a name of more than thirty-one bytes\"", {"--name: 36 bytes", "31"});
+  expect_bad(transform + "./s175.toml --scale 2", {"./s175.toml", "itself"});
+  EXPECT_EQ(text_of("s175.toml"), source_text("sim/hulls/s175.hull.toml"));
+  expect_wrong_use(transform + "o.toml --scale 0", {"--scale: 0"});
+  expect_wrong_use(transform + "o.toml --change-cb nan", {"--change-cb: nan"});
+  expect_wrong_use(transform + "o.toml --shift-lcb-m 1 --shift-lcb-lpp 0.01", {"excludes"});
+  expect_wrong_use(kHull + " transform s175.toml", {"--out"});
+}
+
+TEST_F(Programs, ATransformedShipIsOneThatCheckPasses) {
+  for (const std::string& options :
+       {std::string(), std::string(" --change-cb -0.04 --shift-lcb-lpp 0.015 --scale 0.5"),
+        std::string(" --change-cb 0.04 --shift-lcb-lpp -0.015 --scale 1.5")}) {
+    const Outcome made = run(kHull + " transform " + kS175 + " --out new.hull.toml" + options);
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_EQ(made.out.rfind("quantity,before,after\nlpp_m,175,", 0), 0U) << made.out;
+    const Outcome checked = run(kHull + " check new.hull.toml");
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_NE(checked.out.find("S-175 container ship (changed)"), std::string::npos);
+    EXPECT_EQ(checked.out.find("warning"), std::string::npos) << checked.out;
+  }
+  // Nothing changed: the same hydrostatics, to the digits that are printed.
+  run(kHull + " transform " + kS175 + " --out new.hull.toml");
+  EXPECT_EQ(run(kHull + " hydrostatics new.hull.toml").out, run(kHull + " hydrostatics " + kS175).out);
+}
+
 }  // namespace
 }  // namespace quickstrip::test
