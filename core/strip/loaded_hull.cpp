@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/base/interpolation.hpp"
+#include "core/strip/ikeda_damping.hpp"
 #include "core/strip/surge.hpp"
 
 namespace quickstrip {
@@ -137,6 +138,19 @@ double roll_lever_shift(const LoadedHull& hull) {
   return contour_gm - hull.hydrostatics.gm;
 }
 
+Status set_roll_damping(const RollDamping& given, double viscosity, LoadedHull& hull) {
+  if (given.method == RollDampingMethod::kRatio) {
+    set_roll_damping_ratio(hull, given.ratio);
+    return std::isfinite(small_roll_damping(hull.roll_damping, 0.0)) ? Status{} : Status{Error::kNotFinite};
+  }
+  const Result<RollDampingModel> model = ikeda_roll_damping(hull, given.bilge_keel, viscosity);
+  if (!model) {
+    return model.error();
+  }
+  hull.roll_damping = *model;
+  return {};
+}
+
 }  // namespace
 
 Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out) {
@@ -192,8 +206,7 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
     length_integrals(out, out.node[n], out.node_integrals[n]);
   }
   out.roll_natural_frequency = roll_natural_frequency(out);
-  set_roll_damping_ratio(out, hull.roll_damping.ratio);
-  return std::isfinite(small_roll_damping(out.roll_damping, 0.0)) ? Status{} : Status{Error::kNotFinite};
+  return set_roll_damping(hull.roll_damping, loading.viscosity, out);
 }
 
 void set_roll_damping_ratio(LoadedHull& hull, double ratio) {

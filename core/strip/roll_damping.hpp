@@ -7,8 +7,8 @@
 // omega (c0 + c1 amplitude)); the pressure of the keel on the hull, nonlinear in the amplitude, is a table.
 // Damping that grows with the roll is given by equal energy: over a period of harmonic roll of an amplitude,
 // or in the mean of a Gaussian roll of an RMS.
-// Cost of an evaluation: below 50 ns. No
-// state.
+// Error of the table: below 0.3 % of the pressure (tests/strip/ikeda_damping_test.cpp). Cost of an
+// evaluation: below 50 ns. No state.
 #pragma once
 
 #include <array>

@@ -177,24 +177,42 @@ void read_loading(const TomlTable& root, Hull& hull) {
   loading.gravity = table.number_or("gravity_m_s2", with_unit(kGravity_m_s2, "m/s2"), kStandardGravity);
 }
 
+/// Inside the stations, and no broader than a plate on the bilge can be.
+BilgeKeel read_bilge_keel(const TomlTable& table, const Hull& hull) {
+  table.allow_only({"x_aft_m", "x_fwd_m", "breadth_m"});
+  const double aft = hull.stations.front().x;
+  const double fore = hull.stations.back().x;
+  const double draught = std::min(hull.loading.draught_aft, hull.loading.draught_fwd);
+  BilgeKeel out;
+  out.x_aft = table.number("x_aft_m", along_the_ship(hull));
+  out.x_fwd = table.number("x_fwd_m", along_the_ship(hull));
+  out.breadth = table.number("breadth_m", {0.0001, 0.1 * hull.breadth, "m"});
+  if (!(out.x_aft < out.x_fwd)) {
+    table.refuse("x_fwd_m", fmt::format("more than x_aft_m = {:g} is wanted (swapped?)", out.x_aft));
+  }
+  if (!(out.x_aft >= aft)) {
+    table.refuse("x_aft_m", fmt::format("at least {:g}, the aftmost station, is wanted", aft));
+  }
+  if (!(out.x_fwd <= fore)) {
+    table.refuse("x_fwd_m", fmt::format("at most {:g}, the foremost station, is wanted", fore));
+  }
+  if (!(out.breadth <= 0.2 * draught)) {
+    table.refuse("breadth_m",
+                 fmt::format("at most {:g} m, a fifth of the draught, is wanted", 0.2 * draught));
+  }
+  return out;
+}
+
 void read_roll_damping(const TomlTable& root, Hull& hull) {
+  constexpr NumberRange kRatios{0.0, 0.5, "of critical"};
   const TomlTable table = root.table("roll_damping");
   table.allow_only({"method", "ratio", "bilge_keel"});
-  if (table.choice("method", {"ratio", "ikeda"}) == 1) {
-    table.refuse("method", "not computed yet: use method = \"ratio\"");
-  }
-  hull.roll_damping.method = RollDampingMethod::kRatio;
-  hull.roll_damping.ratio = table.number("ratio", {0.0, 0.5, "of critical"});
+  const bool is_ikeda = table.choice("method", {"ratio", "ikeda"}) == 1;
+  hull.roll_damping.method = is_ikeda ? RollDampingMethod::kIkeda : RollDampingMethod::kRatio;
+  hull.roll_damping.ratio =
+      is_ikeda ? table.number_or("ratio", kRatios, 0.0) : table.number("ratio", kRatios);
   if (const auto keel = table.optional_table("bilge_keel")) {
-    keel->allow_only({"x_aft_m", "x_fwd_m", "breadth_m"});
-    BilgeKeel bilge_keel;
-    bilge_keel.x_aft = keel->number("x_aft_m", along_the_ship(hull));
-    bilge_keel.x_fwd = keel->number("x_fwd_m", along_the_ship(hull));
-    bilge_keel.breadth = keel->number("breadth_m", {0.0001, 0.1 * hull.breadth, "m"});
-    if (!(bilge_keel.x_aft < bilge_keel.x_fwd)) {
-      keel->refuse("x_fwd_m", fmt::format("more than x_aft_m = {:g} is wanted (swapped?)", bilge_keel.x_aft));
-    }
-    hull.roll_damping.bilge_keel = bilge_keel;
+    hull.roll_damping.bilge_keel = read_bilge_keel(*keel, hull);
   }
 }
 

@@ -240,9 +240,19 @@ TEST(HullFile, UnknownRoleIsRefusedNamingThoseThereAre) {
                  {"point[1].role = \"bow\"", "\"bridge\"", "\"fp\""});
 }
 
-TEST(HullFile, IkedaIsRefusedUntilItIsComputed) {
-  expect_refused(with("method = \"ratio\"", "method = \"ikeda\""),
-                 {"roll_damping.method = \"ikeda\"", "not computed yet: use method = \"ratio\""});
+TEST(HullFile, IkedaIsTakenWithOrWithoutARatioAndABilgeKeel) {
+  Hull hull;
+  const std::string keel = "bilge_keel = { x_aft_m = 15.0, x_fwd_m = 35.0, breadth_m = 0.3 }";
+  const std::string bare = with("method = \"ratio\"\nratio = 0.05", "method = \"ikeda\"");
+  ASSERT_TRUE(parse_hull(bare, "ship.hull.toml", hull).ok());
+  EXPECT_EQ(hull.roll_damping.method, RollDampingMethod::kIkeda);
+  EXPECT_FALSE(hull.roll_damping.bilge_keel);
+  const std::string both =
+      with("method = \"ratio\"\nratio = 0.05", "method = \"ikeda\"\nratio = 0.05\n" + keel);
+  ASSERT_TRUE(parse_hull(both, "ship.hull.toml", hull).ok());
+  EXPECT_EQ(hull.roll_damping.method, RollDampingMethod::kIkeda);
+  ASSERT_TRUE(hull.roll_damping.bilge_keel);
+  EXPECT_DOUBLE_EQ(hull.roll_damping.bilge_keel->x_fwd, 35.0);
 }
 
 TEST(HullFile, GridMustFitItsCapacityAndTheDirections) {

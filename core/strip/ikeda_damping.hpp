@@ -1,0 +1,44 @@
+// Viscous and lift damping of roll of a whole ship, by the components of Ikeda, Himeno and Tanaka.
+// [Ikeda1978] as restated by [ITTC2011]: friction (Kato's, with its speed factor), eddies (per section, with
+// theirs), lift (with the smooth fit of kappa to C_M of [JourneeAdegeest2003]), bilge keels (normal force and
+// pressure on the hull, per section along the keel).
+//
+// NOT here: Ikeda's factor of forward speed on the wave damping. Strip theory's b44 has its own dependence on
+// speed, -V da44/dx (formulas §4.1), and the effect must not be counted twice. The factor is given for
+// comparison only.
+// Friction is laminar, as in the source: on a full-scale ship all friction is 1 to 3 % of the rest at V = 0.
+// Range, flagged (RollDampingRange): that of the ships which [Kawahara2009] evaluated the method over, C_B
+// 0.5 ... 0.85, C_M 0.9 ... 0.99, B/d 2.5 ... 4.5, OG/d (down) -1.5 ... 0.2, keels 0.01 ... 0.06 of B and
+// 0.05 ... 0.4 of L, omega-hat up to 1, amplitudes up to 20 degrees. Sections outside the section's range are
+// brought into it (ikeda_section()) and flagged where they make more than half of the eddies: of the S-175,
+// whose bulb and stern are, a third.
+// Expected error: 20 to 30 % of the whole within the range [ITTC2011]. Cost: about 0.5 ms when the loading
+// changes. No state.
+#pragma once
+
+#include <optional>
+
+#include "core/base/result.hpp"
+#include "core/hull/hull.hpp"
+#include "core/strip/loaded_hull.hpp"
+#include "core/strip/roll_damping.hpp"
+
+namespace quickstrip {
+
+/// The hull's model, with `keel` or bare; kinematic viscosity [m2/s] > 0. `hull` needs its sections and its
+/// natural frequency of roll. kNotFinite.
+Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::optional<BilgeKeel>& keel,
+                                            double viscosity);
+
+/// Pressure of the keel on the hull, over omega [N m s2], at a roll amplitude >= 0 [rad]: what the model
+/// tabulates.
+double keel_pressure_damping(const LoadedHull& hull, const BilgeKeel& keel, double amplitude);
+
+/// kappa(C_M) of lift, 0 below C_M = 0.91, fitted up to 0.99.
+double lift_kappa(double midship_coefficient);
+
+/// Ikeda's wave damping at speed over that without; omega > 0 [rad/s], V >= 0 [m/s]. For comparison only.
+/// Above 12 others cut it off.
+double ikeda_wave_speed_factor(double omega, double speed, double draught, double gravity);
+
+}  // namespace quickstrip
