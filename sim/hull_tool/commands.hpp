@@ -17,6 +17,7 @@ void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
+void add_parametric(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -30,6 +31,7 @@ inline void add_commands(CLI::App& app) {
   add_grid(app);
   add_compare(app);
   add_transform(app);
+  add_parametric(app);
 }
 
 }  // namespace quickstrip::hull_tool

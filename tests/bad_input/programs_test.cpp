@@ -224,6 +224,8 @@ TEST_F(Programs, TransformsThatCannotBeExitOneAndLeaveNothingBehind) {
   expect_bad(transform + "o.toml --name \"a name of more than thirty-one bytes\"", {"--name: 36 bytes", "31"});
   expect_bad(transform + "./s175.toml --scale 2", {"./s175.toml", "itself"});
   EXPECT_EQ(text_of("s175.toml"), source_text("sim/hulls/s175.hull.toml"));
+  expect_bad(kHull + " parametric tanker --out none/o.toml", {"none/o.toml: cannot be written"});
+  expect_wrong_use(kHull + " parametric submarine --out o.toml", {"submarine", "trawler"});
   expect_wrong_use(transform + "o.toml --scale 0", {"--scale: 0"});
   expect_wrong_use(transform + "o.toml --change-cb nan", {"--change-cb: nan"});
   expect_wrong_use(transform + "o.toml --shift-lcb-m 1 --shift-lcb-lpp 0.01", {"excludes"});
