@@ -7,11 +7,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "core/advice/nordforsk.hpp"
 #include "core/advisor.hpp"
-#include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
@@ -19,9 +17,7 @@
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
 #include "sim/hull_tool/quality_text.hpp"
-#include "sim/hull_tool/spectrum_options.hpp"
-#include "sim/sea_files/sea_series.hpp"
-#include "sim/sea_files/utc_time.hpp"
+#include "sim/hull_tool/sea_options.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
@@ -29,10 +25,7 @@ namespace {
 struct Options {
   std::string file;
   MethodOptions method;
-  SpectrumOptions spectrum;
-  double dir_from_deg = 0.0;
-  std::string sea_file;
-  std::string at;
+  SeaOptions sea;
   int repeat = 1;
 };
 
@@ -48,27 +41,6 @@ const char* word(Verdict verdict) {
       break;
   }
   return "unknown";
-}
-
-// The hour asked for, or the one with the highest sea.
-const SeaRecord& chosen_record(const Options& options, const SeaSeries& series) {
-  if (options.at.empty()) {
-    const SeaRecord* highest = &series.records.front();
-    for (const SeaRecord& record : series.records) {
-      highest = record.hs > highest->hs ? &record : highest;
-    }
-    return *highest;
-  }
-  const std::optional<std::int64_t> at = parse_utc(options.at);
-  if (!at) {
-    throw CLI::ValidationError("--at", options.at + ": a time such as 2019-09-04T12:40:00Z is wanted");
-  }
-  const SeaRecord* record = record_at(series, *at);
-  if (record == nullptr) {
-    throw InputError{fmt::format("{}: --at = {}: no measurement within 90 minutes before it",
-                                 options.sea_file, options.at)};
-  }
-  return *record;
 }
 
 // "vertical acceleration bridge" judged by RMS becomes vertical_acceleration_bridge_rms_m_s2.
@@ -131,16 +103,11 @@ void run(const Options& options) {
   const OwnShip own_ship{Heading{0.0}, advisor->transfer_functions().speeds[0], false};
   StepInputs inputs;
   inputs.own_ship = &own_ship;
-  SeaSeries series;
-  SeaState sea;
-  if (options.spectrum.given()) {
-    sea = options.spectrum.sea_from(WaveFrom{wrap_two_pi(radians(options.dir_from_deg))});
-    inputs.sea_state = &sea;
+  const auto sea = choose_sea(options.sea);
+  if (sea->is_measured) {
+    inputs.spectrum = &sea->measured;
   } else {
-    if (const FileStatus read = load_sea(options.sea_file, series); !read.ok()) {
-      throw InputError{read.line()};
-    }
-    inputs.spectrum = &chosen_record(options, series).spectrum;
+    inputs.sea_state = &sea->systems;
   }
   Csv csv(header(*criteria));
   for (int i = 0; i < options.repeat; ++i) {
@@ -169,20 +136,11 @@ void add_grid(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   add_hull_argument(*command, options->file);
   add_method_options(*command, options->method);
-  add_spectrum_options(*command, options->spectrum, false);
-  CLI::Option* shape = command->get_option("--spectrum");
-  add_number(*command, "--dir-from-deg", options->dir_from_deg, kDirections_deg,
-             "where the waves come from, true [deg]")
-      ->needs(shape);
-  CLI::Option* sea = command->add_option("--sea", options->sea_file, "sea file, or ndbc:PREFIX");
-  sea->excludes(shape);
-  command->add_option("--at", options->at, "UTC time in the sea file; default: its highest sea")->needs(sea);
+  const SeaOptionHandles handles = add_sea_options(*command, options->sea);
   command->add_option("--repeat", options->repeat, "steps to run; their times on standard error")
       ->check(CLI::Range(1, 1'000'000));
-  command->callback([options, shape, sea] {
-    if (shape->empty() && sea->empty()) {
-      throw CLI::RequiredError("--spectrum or --sea");
-    }
+  command->callback([options, handles] {
+    handles.require_one();
     run(*options);
   });
 }

@@ -10,6 +10,7 @@ namespace quickstrip::sim_tool {
 void add_log(CLI::App& app);
 void add_replay(CLI::App& app);
 void add_inspect(CLI::App& app);
+void add_simulate(CLI::App& app);
 void add_story(CLI::App& app);
 void add_picture(CLI::App& app);
 

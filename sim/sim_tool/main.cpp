@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   quickstrip::sim_tool::add_log(app);
   quickstrip::sim_tool::add_replay(app);
   quickstrip::sim_tool::add_inspect(app);
+  quickstrip::sim_tool::add_simulate(app);
   quickstrip::sim_tool::add_story(app);
   quickstrip::sim_tool::add_picture(app);
   return quickstrip::run_tool(app, argc, argv);

@@ -1,0 +1,85 @@
+#include "sim/seaway/report_words.hpp"
+
+#include <cmath>
+
+namespace quickstrip::seaway {
+namespace {
+
+constexpr double kFactor = 1.25;       // that counts and statements should agree within
+constexpr double kFewEvents = 10.0;    // the interval is wider than the factor
+constexpr double kSameCycle = 0.95;    // of the events have a cycle of their own
+constexpr double kKurtosisOff = 0.15;  // of 3: beyond the scatter of some hundred hours
+
+}  // namespace
+
+QuantityWords quantity_words(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kSurge:
+      return {"surge", "m"};
+    case Quantity::kSway:
+      return {"sway", "m"};
+    case Quantity::kHeave:
+      return {"heave", "m"};
+    case Quantity::kRoll:
+      return {"roll", "rad"};
+    case Quantity::kPitch:
+      return {"pitch", "rad"};
+    case Quantity::kYaw:
+      return {"yaw", "rad"};
+    case Quantity::kLongitudinalAcceleration:
+      return {"longitudinal_acceleration", "m/s2"};
+    case Quantity::kLateralAcceleration:
+      return {"lateral_acceleration", "m/s2"};
+    case Quantity::kVerticalAcceleration:
+      return {"vertical_acceleration", "m/s2"};
+    case Quantity::kSlamming:
+      return {"slamming", "m"};
+    case Quantity::kDeckWetness:
+      return {"deck_wetness", "m"};
+  }
+  return {"unknown", ""};
+}
+
+std::string place_words(const Channel& channel, const Hull& hull) {
+  switch (channel.quantity) {
+    case Quantity::kLongitudinalAcceleration:
+    case Quantity::kLateralAcceleration:
+    case Quantity::kVerticalAcceleration:
+      return std::string(hull.points[channel.place].name.view());
+    case Quantity::kSlamming:
+      return std::string(hull.slamming[channel.place].name.view());
+    case Quantity::kDeckWetness:
+      return std::string(hull.freeboard[channel.place].name.view());
+    default:
+      return "G";
+  }
+}
+
+std::vector<std::string> remarks_on(const Report& report, std::size_t count) {
+  const Answer& answer = report.outcome->answers[count];
+  const StatedCount& said = report.counts[count];
+  const ChannelOutcome& channel = report.outcome->channels[said.question.channel];
+  std::vector<std::string> out;
+  if (answer.events < kFewEvents) {
+    out.emplace_back("few_events");
+  }
+  if (const auto interval = ratio_interval(answer.per_encounter)) {
+    const bool is_outside = said.probability < interval->low || said.probability > interval->high;
+    const double most = kFactor * said.probability;
+    if (is_outside) {
+      out.emplace_back("outside_interval");
+    }
+    if (is_outside && (interval->ratio > most || interval->ratio * kFactor < said.probability)) {
+      out.emplace_back("beyond_factor_1.25");
+    }
+  }
+  if (answer.encounters_with_event < kSameCycle * answer.events) {
+    out.emplace_back("several_crossings_a_cycle");
+  }
+  if (report.roll && std::fabs(channel.kurtosis - 3.0) > kKurtosisOff) {
+    out.emplace_back("not_gaussian");
+  }
+  return out;
+}
+
+}  // namespace quickstrip::seaway

@@ -1,0 +1,22 @@
+// Words of a report: quantities, places, remarks. Internal to sim/seaway.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/seaway/report.hpp"
+
+namespace quickstrip::seaway {
+
+struct QuantityWords {
+  const char* name;
+  const char* unit;  // SI
+};
+QuantityWords quantity_words(Quantity quantity);
+
+std::string place_words(const Channel& channel, const Hull& hull);
+
+/// Where the count and the statement part, and why they may.
+std::vector<std::string> remarks_on(const Report& report, std::size_t count);
+
+}  // namespace quickstrip::seaway
