@@ -134,15 +134,8 @@ MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, d
 }
 
 MotionTransfer motion_transfer(const LoadedHull& hull, double omega, EncounterAngle mu, double speed) {
-  BeamSeaCorrection correction;
-  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
-  if (haskind) {
-    beam_sea_correction(hull, omega, correction);
-  }
-  SectionWaves sections;
-  section_waves(hull, omega, mu, sections);
   WaveField field;
-  wave_field(hull, omega, mu, sections, haskind ? &correction : nullptr, field);
+  wave_field(hull, omega, mu, field);
   return motion_transfer(hull, field, speed);
 }
 

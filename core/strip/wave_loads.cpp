@@ -215,6 +215,17 @@ void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu,
   set_lateral(hull, phase, sections, correction, out);
 }
 
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveField& out) {
+  BeamSeaCorrection correction;
+  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
+  if (haskind) {
+    beam_sea_correction(hull, omega, correction);
+  }
+  SectionWaves sections;
+  section_waves(hull, omega, mu, sections);
+  wave_field(hull, omega, mu, sections, haskind ? &correction : nullptr, out);
+}
+
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
                                   const SectionHydrodynamics& section, double omega_e, double speed) {
   const auto heave = [&](std::size_t n) {

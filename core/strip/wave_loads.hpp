@@ -63,6 +63,9 @@ void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const S
 void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
                         const BeamSeaCorrection* correction, WaveField& out);
 
+/// All of one wave alone, as the hull's method has it (about 20 us).
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveField& out);
+
 /// Six loads [N, N m per m], times e^{i omega_e t}. `section`: at |omega_e|; omega_e signed, not zero; V
 /// [m/s].
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
