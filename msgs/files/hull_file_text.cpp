@@ -93,7 +93,7 @@ void add_roll_damping(std::string& text, const RollDamping& damping) {
   text += "\n[roll_damping]\n";
   const bool is_ratio = damping.method == RollDampingMethod::kRatio;
   text += fmt::format("method = \"{}\"\n", is_ratio ? "ratio" : "ikeda");
-  if (is_ratio) {
+  if (is_ratio || damping.ratio != 0.0) {
     add(text, "ratio", damping.ratio);
   }
   if (damping.bilge_keel) {

@@ -18,6 +18,7 @@ void add_grid(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
 void add_parametric(CLI::App& app);
+void add_wigley(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -32,6 +33,7 @@ inline void add_commands(CLI::App& app) {
   add_compare(app);
   add_transform(app);
   add_parametric(app);
+  add_wigley(app);
 }
 
 }  // namespace quickstrip::hull_tool

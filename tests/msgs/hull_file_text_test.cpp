@@ -125,6 +125,20 @@ TEST(HullFileText, OfAFileWithEveryKeyIsThatFile) {
   EXPECT_EQ(hull_file_text(*hull, "of a test"), kWhole);
 }
 
+TEST(HullFileText, KeepsTheMethodOfRollDamping) {
+  const auto hull = std::make_unique<Hull>();
+  const auto again = std::make_unique<Hull>();
+  ASSERT_TRUE(parse_hull(kWhole, "whole", *hull).ok());
+  hull->roll_damping.method = RollDampingMethod::kIkeda;
+  for (const double ratio : {0.0, 0.01}) {
+    hull->roll_damping.ratio = ratio;
+    const FileStatus status = parse_hull(hull_file_text(*hull, ""), "again", *again);
+    ASSERT_TRUE(status.ok()) << status.line();
+    EXPECT_EQ(again->roll_damping.method, RollDampingMethod::kIkeda);
+    EXPECT_EQ(again->roll_damping.ratio, ratio);
+  }
+}
+
 TEST(HullFileText, OfEveryShipOfTheProjectIsReadAsTheSameShip) {
   const auto hull = std::make_unique<Hull>();
   const auto again = std::make_unique<Hull>();
