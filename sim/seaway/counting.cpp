@@ -15,8 +15,9 @@ struct ChannelSums {
   double largest = 0.0;
 };
 
-// Zero crossings of every channel in one block, upwards and downwards.
-struct Zeros {
+// Turns of a channel in one block, and its zero crossings upwards and downwards.
+struct Passages {
+  std::vector<Rise> rises;
   std::vector<Crossing> up;
   std::vector<Crossing> down;
 };
@@ -37,7 +38,7 @@ void make_series(const Simulation& s, const Watch& watch, const BinAmplitudes& b
   }
 }
 
-void add_block(std::span<const double> x, const Zeros& zeros, ChannelSums& out) {
+void add_block(std::span<const double> x, const Passages& zeros, ChannelSums& out) {
   double square = 0.0;
   double fourth = 0.0;
   for (const double value : x) {
@@ -63,15 +64,15 @@ void count_side(std::span<const Crossing> zeros, std::vector<Crossing>& events, 
   answer.encounters_with_event += static_cast<double>(encounters_with_event(zeros, events));
 }
 
-void count(std::span<const double> x, double dt, double hours, const Question& question, const Zeros& zeros,
-           std::vector<Crossing>& events, Answer& answer) {
+void count(std::span<const double> x, double dt, double hours, const Question& question,
+           const Passages& zeros, std::vector<Crossing>& events, Answer& answer) {
   BlockCount block;
   const bool both = question.passing == Passing::kBothSides;
   const double level = question.passing == Passing::kReentry ? -question.level : question.level;
-  list_crossings(x, dt, level, 1.0, events);
+  list_crossings(x, zeros.rises, dt, level, 1.0, events);
   count_side(zeros.up, events, question, answer, block);
   if (both) {
-    list_crossings(x, dt, level, -1.0, events);
+    list_crossings(x, zeros.rises, dt, level, -1.0, events);
     count_side(zeros.down, events, question, answer, block);
   }
   answer.events += block.events;
@@ -109,7 +110,7 @@ Outcome run(Simulation& simulation, const Watch& watch, std::span<const Question
   BinAmplitudes block;
   Series series(watch.channels.size(), std::vector<double>(simulation.num_samples));
   std::vector<ChannelSums> sums(watch.channels.size());
-  std::vector<Zeros> zeros(watch.channels.size());
+  std::vector<Passages> zeros(watch.channels.size());
   std::vector<Crossing> events;
   Outcome out;
   out.answers.resize(questions.size());
@@ -117,8 +118,9 @@ Outcome run(Simulation& simulation, const Watch& watch, std::span<const Question
     make_block(simulation, seed, b, block);
     make_series(simulation, watch, block, fourier, series);
     for (std::size_t c = 0; c < series.size(); ++c) {
-      list_crossings(series[c], simulation.dt(), 0.0, 1.0, zeros[c].up);
-      list_crossings(series[c], simulation.dt(), 0.0, -1.0, zeros[c].down);
+      list_rises(series[c], zeros[c].rises);
+      list_crossings(series[c], zeros[c].rises, simulation.dt(), 0.0, 1.0, zeros[c].up);
+      list_crossings(series[c], zeros[c].rises, simulation.dt(), 0.0, -1.0, zeros[c].down);
       add_block(series[c], zeros[c], sums[c]);
     }
     for (std::size_t q = 0; q < questions.size(); ++q) {

@@ -24,7 +24,7 @@ Crossing crossing_between(const std::array<double, 4>& y, double at, double dt) 
   const Cubic cubic(y);
   double low = 0.0;
   double high = 1.0;
-  constexpr int kHalvings = 20;  // a millionth of a step
+  constexpr int kHalvings = 14;  // 6e-5 of a step
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     (cubic.value(middle) < 0.0 ? low : high) = middle;
@@ -32,48 +32,113 @@ Crossing crossing_between(const std::array<double, 4>& y, double at, double dt) 
   return {(at + high) * dt, std::max(cubic.slope(high), 0.0) / dt};
 }
 
-// An extreme at the middle one of three samples, all on one side: where the parabola passes zero upwards, if
-// it reaches it.
-bool crosses_beside(double before, double middle, double after, double& offset, double& slope) {
+// Around a turn that alone lies beyond the level: the rising root of the parabola through its neighbours.
+Crossing crossing_at_turn(double before, double middle, double after, double at, double dt) {
   const double curvature = before - 2.0 * middle + after;
   const double tilt = 0.5 * (after - before);
-  const double root2 = tilt * tilt - 2.0 * curvature * middle;
-  if (!(root2 > 0.0) || !(std::fabs(curvature) > 0.0)) {
-    return false;
+  const double slope = std::sqrt(std::max(0.0, tilt * tilt - 2.0 * curvature * middle));
+  const double offset = std::fabs(curvature) > 0.0 ? (slope - tilt) / curvature : 0.0;
+  return {(at + std::clamp(offset, -1.0, 1.0)) * dt, slope / dt};
+}
+
+double height_of_turn(double before, double middle, double after) {
+  const double curvature = before - 2.0 * middle + after;
+  const double tilt = 0.5 * (after - before);
+  return std::fabs(curvature) > 0.0 ? middle - 0.5 * tilt * tilt / curvature : middle;
+}
+
+// A periodic series on one side of a level, y < 0 before and y >= 0 after a crossing.
+struct View {
+  std::span<const double> x;
+  double sign = 1.0;
+  double level = 0.0;
+  double operator()(std::size_t i) const {
+    while (i >= x.size()) {  // twice at most; a division costs more than all the rest
+      i -= x.size();
+    }
+    return sign * x[i] - level;
   }
-  slope = std::sqrt(root2);  // upwards at (slope - tilt) / curvature
-  offset = (slope - tilt) / curvature;
-  return std::fabs(offset) <= 1.0;
+};
+
+Crossing crossing_within(const View& y, std::size_t from, std::size_t to, double dt) {
+  const std::size_t n = y.x.size();
+  const auto around = [&](std::size_t i) {
+    return crossing_at_turn(y(i + n - 1), y(i), y(i + 1), static_cast<double>(i), dt);
+  };
+  if (!(y(from) < 0.0)) {
+    return around(from);
+  }
+  for (std::size_t i = from; i < to; ++i) {
+    if (y(i + 1) >= 0.0) {
+      return crossing_between({y(i + n - 1), y(i), y(i + 1), y(i + 2)}, static_cast<double>(i), dt);
+    }
+  }
+  return around(to);
 }
 
 }  // namespace
 
-void list_crossings(std::span<const double> x, double dt, double level, double sign,
-                    std::vector<Crossing>& out) {
+void list_rises(std::span<const double> x, std::vector<Rise>& out) {
   out.clear();
   const std::size_t n = x.size();
-  const auto y = [&](std::size_t i) { return sign * x[i < n ? i : i - n] - level; };
-  double before = y(n - 1);
-  double here = y(0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double next = y(i + 1);
-    const auto at = static_cast<double>(i);
-    if (here < 0.0 && next >= 0.0) {
-      out.push_back(crossing_between({before, here, next, y(i + 2)}, at, dt));
-    }
-    const bool is_crest_below = here < 0.0 && before < 0.0 && next < 0.0 && here >= before && here > next;
-    const bool is_trough_above = here >= 0.0 && before >= 0.0 && next >= 0.0 && here <= before && here < next;
-    if (is_crest_below || is_trough_above) {
-      double offset = 0.0;
-      double slope = 0.0;
-      if (crosses_beside(before, here, next, offset, slope)) {
-        out.push_back({std::max(0.0, at + offset) * dt, slope / dt});
-      }
-    }
-    before = here;
-    here = next;
+  const auto at = [&](std::size_t i) { return x[i >= 2 * n ? i - 2 * n : i >= n ? i - n : i]; };
+  // The first sample from which it falls, and behind it the first trough.
+  std::size_t start = 0;
+  while (start < n && !(at(start + 1) < at(start))) {
+    ++start;
   }
-  std::sort(out.begin(), out.end(), [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
+  if (start == n) {
+    return;  // a constant
+  }
+  bool is_falling = true;
+  Rise rise;
+  for (std::size_t i = start + 1; i <= start + n; ++i) {
+    const double here = at(i);
+    const double next = at(i + 1);
+    if (is_falling ? next > here : next < here) {
+      const double height = height_of_turn(at(i + n - 1), here, next);
+      if (is_falling) {
+        rise = {i, 0, height, 0.0};
+      } else {
+        rise.crest = i;
+        rise.high = height;
+        out.push_back(rise);
+      }
+      is_falling = !is_falling;
+    }
+  }
+}
+
+void list_crossings(std::span<const double> x, std::span<const Rise> rises, double dt, double level,
+                    double sign, std::vector<Crossing>& out) {
+  out.clear();
+  const View y{x, sign, level};
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t r = 0; r < rises.size(); ++r) {
+    // Of the mirror image the falls rise: from a crest to the trough of the next rise.
+    const bool is_last = r + 1 == rises.size();
+    const Rise& next = rises[is_last ? 0 : r + 1];
+    const double low = sign > 0.0 ? rises[r].low : -rises[r].high;
+    const double high = sign > 0.0 ? rises[r].high : -next.low;
+    if (!(low < level && high >= level)) {
+      continue;
+    }
+    const std::size_t from = sign > 0.0 ? rises[r].trough : rises[r].crest;
+    const std::size_t to = sign > 0.0 ? rises[r].crest : next.trough + (is_last ? x.size() : 0);
+    Crossing found = crossing_within(y, from, to, dt);
+    found.time -= found.time >= n * dt ? n * dt : 0.0;
+    found.time += found.time < 0.0 ? n * dt : 0.0;
+    out.push_back(found);
+  }
+  const auto earlier = [](const Crossing& a, const Crossing& b) { return a.time < b.time; };
+  std::sort(out.begin(), out.end(), earlier);
+}
+
+void list_crossings(std::span<const double> x, double dt, double level, double sign,
+                    std::vector<Crossing>& out) {
+  std::vector<Rise> rises;
+  list_rises(x, rises);
+  list_crossings(x, rises, dt, level, sign, out);
 }
 
 std::size_t encounters_with_event(std::span<const Crossing> zeros, std::span<const Crossing> events) {

@@ -18,17 +18,6 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   return out;
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) {
-    return text;
-  }
-  std::string out = "\"";
-  for (const char c : text) {
-    out.append(c == '"' ? "\"\"" : std::string(1, c));
-  }
-  return out.append("\"");
-}
-
 std::string number(double value) {
   return fmt::format("{:.10g}", value == 0.0 ? 0.0 : value);  // no "-0"
 }

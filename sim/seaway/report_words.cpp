@@ -55,6 +55,17 @@ std::string place_words(const Channel& channel, const Hull& hull) {
   }
 }
 
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) {
+    return text;
+  }
+  std::string out = "\"";
+  for (const char c : text) {
+    out.append(c == '"' ? "\"\"" : std::string(1, c));
+  }
+  return out.append("\"");
+}
+
 std::vector<std::string> remarks_on(const Report& report, std::size_t count) {
   const Answer& answer = report.outcome->answers[count];
   const StatedCount& said = report.counts[count];

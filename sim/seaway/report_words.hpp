@@ -16,6 +16,9 @@ QuantityWords quantity_words(Quantity quantity);
 
 std::string place_words(const Channel& channel, const Hull& hull);
 
+/// As a field of CSV.
+std::string quoted(const std::string& text);
+
 /// Where the count and the statement part, and why they may.
 std::vector<std::string> remarks_on(const Report& report, std::size_t count);
 
