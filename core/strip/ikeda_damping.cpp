@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/constants.hpp"
+#include "core/strip/hydrodynamic_coefficients.hpp"
 #include "core/strip/ikeda_section.hpp"
 
 namespace quickstrip {
@@ -121,6 +122,17 @@ void set_gaussian_pressure(RollDampingModel& model) {
   }
 }
 
+void set_wave_damping(const LoadedHull& hull, const Measures& ship, RollDampingModel& model) {
+  model.draught = ship.draught;
+  model.gravity = hull.gravity;
+  for (std::size_t n = 1; n < RollAmplitudeNodes::kCount; ++n) {
+    const double omega = kWaveNodeStep * static_cast<double>(n) * model.natural_frequency;
+    const double still = hydrodynamic_coefficients(hull, omega, 0.0).b[3][3];
+    model.wave_still[n] = still;
+    model.wave_per_speed[n] = hydrodynamic_coefficients(hull, omega, 1.0).b[3][3] - still;  // linear in V
+  }
+}
+
 bool is_between(double value, double least, double most) {
   return value >= least && value <= most;
 }
@@ -149,15 +161,6 @@ double lift_kappa(double midship_coefficient) {
   return 106.0 * above * above - 700.0 * above * above * above;
 }
 
-double ikeda_wave_speed_factor(double omega, double speed, double draught, double gravity) {
-  const double depth = omega * omega * draught / gravity;
-  const double om = omega * speed / gravity;  // Omega
-  const double a1 = 1.0 + std::pow(depth, -1.2) * std::exp(-2.0 * depth);
-  const double a2 = 0.5 + std::exp(-2.0 * depth) / depth;
-  return 0.5 * ((a2 + 1.0) + (a2 - 1.0) * std::tanh(20.0 * (om - 0.3)) +
-                (2.0 * a1 - a2 - 1.0) * std::exp(-150.0 * (om - 0.25) * (om - 0.25)));
-}
-
 double keel_pressure_damping(const LoadedHull& hull, const BilgeKeel& keel, double amplitude) {
   double sum = 0.0;
   along_the_keel(hull, keel, [&](const IkedaSection& section, const IkedaKeel& at, double length) {
@@ -167,7 +170,7 @@ double keel_pressure_damping(const LoadedHull& hull, const BilgeKeel& keel, doub
 }
 
 Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::optional<BilgeKeel>& keel,
-                                            double viscosity) {
+                                            double viscosity, WaveDampingAtSpeed wave) {
   const Measures ship = measures(hull);
   const Eddies eddy = eddies(hull, ship.og_down);
   RollDampingModel model;
@@ -181,6 +184,9 @@ Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::o
   if (keel) {
     set_keel(hull, *keel, model);
     set_gaussian_pressure(model);
+  }
+  if (wave == WaveDampingAtSpeed::kIkeda) {
+    set_wave_damping(hull, ship, model);
   }
   const double greatest = RollAmplitudeNodes::kLast;
   const double all = added_roll_damping(model, 1.0, greatest, 1.0) +

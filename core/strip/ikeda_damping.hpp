@@ -3,9 +3,10 @@
 // theirs), lift (with the smooth fit of kappa to C_M of [JourneeAdegeest2003]), bilge keels (normal force and
 // pressure on the hull, per section along the keel).
 //
-// NOT here: Ikeda's factor of forward speed on the wave damping. Strip theory's b44 has its own dependence on
-// speed, -V da44/dx (formulas §4.1), and the effect must not be counted twice. The factor is given for
-// comparison only.
+// Wave damping at speed is counted once: strip theory's own, -V da44/dx in b44 (formulas §4.1), or Ikeda's
+// factor on b44 at V = 0 in its place, less what strip theory has. By default strip theory's alone, which is
+// the safe side: but on a hull with closed ends it is NONE (the integral of the slope is the jump at the
+// ends: S-175, b44 the same at 0, 10 and 20 kn to rounding), while Ikeda's factor is 4.7 and 7.8 there.
 // Friction is laminar, as in the source: on a full-scale ship all friction is 1 to 3 % of the rest at V = 0.
 // Range, flagged (RollDampingRange): that of the ships which [Kawahara2009] evaluated the method over, C_B
 // 0.5 ... 0.85, C_M 0.9 ... 0.99, B/d 2.5 ... 4.5, OG/d (down) -1.5 ... 0.2, keels 0.01 ... 0.06 of B and
@@ -16,6 +17,7 @@
 // changes. No state.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/base/result.hpp"
@@ -25,10 +27,13 @@
 
 namespace quickstrip {
 
+enum class WaveDampingAtSpeed : std::uint8_t { kStripTheory, kIkeda };
+
 /// The hull's model, with `keel` or bare; kinematic viscosity [m2/s] > 0. `hull` needs its sections and its
 /// natural frequency of roll. kNotFinite.
 Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::optional<BilgeKeel>& keel,
-                                            double viscosity);
+                                            double viscosity,
+                                            WaveDampingAtSpeed wave = WaveDampingAtSpeed::kStripTheory);
 
 /// Pressure of the keel on the hull, over omega [N m s2], at a roll amplitude >= 0 [rad]: what the model
 /// tabulates.
@@ -36,9 +41,5 @@ double keel_pressure_damping(const LoadedHull& hull, const BilgeKeel& keel, doub
 
 /// kappa(C_M) of lift, 0 below C_M = 0.91, fitted up to 0.99.
 double lift_kappa(double midship_coefficient);
-
-/// Ikeda's wave damping at speed over that without; omega > 0 [rad/s], V >= 0 [m/s]. For comparison only.
-/// Above 12 others cut it off.
-double ikeda_wave_speed_factor(double omega, double speed, double draught, double gravity);
 
 }  // namespace quickstrip

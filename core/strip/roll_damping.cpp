@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kEddySpeed = 0.04;                      // formulas §5, of K = omega L / V
 constexpr double kFrictionSpeed = 4.1;                   // of V / (omega L)
+constexpr double kGreatestWaveFactor = 12.0;             // where others cut it off too (formulas §5)
 constexpr double kGreatestFrequency = 1.0;               // omega-hat [Kawahara2009]
 constexpr double kGreatestAmplitude = 20.0 * kPi / 180;  // of the rolls that the components were fitted to
 
@@ -32,6 +33,18 @@ double interpolate(const PressureTable& table, double step, double at) {
          0.5 * t * (t - 1.0) * table[first + 2];
 }
 
+// What Ikeda's wave damping exceeds strip theory's own at this speed by; never less than nothing.
+double wave_damping(const RollDampingModel& model, double speed, double omega) {
+  if (!(model.draught > 0.0) || !(speed > 0.0)) {
+    return 0.0;
+  }
+  const double step = kWaveNodeStep * model.natural_frequency;
+  const double still = std::max(0.0, interpolate(model.wave_still, step, omega));
+  const double own = still + speed * interpolate(model.wave_per_speed, step, omega);
+  const double factor = ikeda_wave_speed_factor(omega, speed, model.draught, model.gravity);
+  return std::max(0.0, std::min(factor, kGreatestWaveFactor) * still - own);
+}
+
 // `quadratic`: the amplitude by which damping quadratic in the rate is multiplied.
 RollDampingComponents components(const RollDampingModel& model, double speed, double omega, double quadratic,
                                  double pressure) {
@@ -48,10 +61,20 @@ RollDampingComponents components(const RollDampingModel& model, double speed, do
   out.lift = model.lift * speed;
   out.keel_normal = omega * (model.keel_normal_0 + model.keel_normal_1 * quadratic);
   out.keel_pressure = omega * pressure;
+  out.wave = wave_damping(model, speed, omega);
   return out;
 }
 
 }  // namespace
+
+double ikeda_wave_speed_factor(double omega, double speed, double draught, double gravity) {
+  const double depth = omega * omega * draught / gravity;
+  const double om = omega * speed / gravity;  // Omega
+  const double a1 = 1.0 + std::pow(depth, -1.2) * std::exp(-2.0 * depth);
+  const double a2 = 0.5 + std::exp(-2.0 * depth) / depth;
+  return 0.5 * ((a2 + 1.0) + (a2 - 1.0) * std::tanh(20.0 * (om - 0.3)) +
+                (2.0 * a1 - a2 - 1.0) * std::exp(-150.0 * (om - 0.25) * (om - 0.25)));
+}
 
 RollDampingComponents roll_damping_components(const RollDampingModel& model, double speed, double amplitude,
                                               double omega) {

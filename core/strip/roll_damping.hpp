@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "core/base/constants.hpp"
+
 namespace quickstrip {
 
 struct LoadedHull;
@@ -53,7 +55,14 @@ struct RollDampingModel {
   double keel_normal_1 = 0.0;    // per omega and amplitude [N m s2]
   std::array<double, RollAmplitudeNodes::kCount> keel_pressure{};           // per omega [N m s2], of harmonic
   std::array<double, RollAmplitudeNodes::kCount> keel_pressure_gaussian{};  // and of Gaussian roll
-  std::uint16_t outside_range = 0;                                          // RollDampingRange, of the hull
+  // Wave damping at speed after Ikeda, in place of strip theory's own; all zero where strip theory's is left.
+  // By frequency, 0 to 4 natural frequencies: strip theory's b44 at V = 0, and what a metre a second adds to
+  // it.
+  double draught = 0.0;  // m
+  double gravity = kStandardGravity;
+  std::array<double, RollAmplitudeNodes::kCount> wave_still{};      // N m s
+  std::array<double, RollAmplitudeNodes::kCount> wave_per_speed{};  // N s2
+  std::uint16_t outside_range = 0;                                  // RollDampingRange, of the hull
 };
 static_assert(std::is_trivially_copyable_v<RollDampingModel> && sizeof(RollDampingModel) < 2048,
               "copied into the transfer functions");
@@ -66,9 +75,18 @@ struct RollDampingComponents {
   double lift = 0.0;
   double keel_normal = 0.0;
   double keel_pressure = 0.0;
+  double wave = 0.0;  // beyond strip theory's own at this speed
 
-  [[nodiscard]] double sum() const { return constant + friction + eddy + lift + keel_normal + keel_pressure; }
+  [[nodiscard]] double sum() const {
+    return constant + friction + eddy + lift + keel_normal + keel_pressure + wave;
+  }
 };
+
+/// Frequency between the nodes of the wave damping, over the natural one.
+inline constexpr double kWaveNodeStep = 4.0 / static_cast<double>(RollAmplitudeNodes::kCount - 1);
+
+/// Ikeda's wave damping at speed over that without, [ITTC2011]; omega > 0 [rad/s], V >= 0 [m/s].
+double ikeda_wave_speed_factor(double omega, double speed, double draught, double gravity);
 
 /// That take as much energy as the ship's do from harmonic roll of `amplitude` >= 0 [rad] at the roll
 /// frequency omega > 0 [rad/s]; speed V >= 0 [m/s].

@@ -16,6 +16,7 @@
 
 #include "core/base/angles.hpp"
 #include "core/base/constants.hpp"
+#include "core/strip/hydrodynamic_coefficients.hpp"
 #include "core/strip/loaded_hull.hpp"
 #include "tests/support/hulls.hpp"
 
@@ -106,6 +107,44 @@ TEST(IkedaDamping, LiftWithTheStepsOfKappaIsTheReferenceDatasOtherColumn) {
   const double stepped = base + 0.1 * per_kappa;
   const double ours = components_of(*ship, 6.21505, 0.1, 0.35).lift;
   EXPECT_NEAR(ours * stepped / smooth, 2.85628e7, 0.005 * 2.85628e7);  // C_M and C_B to four digits
+}
+
+TEST(IkedaDamping, StripTheoryOfAHullWithClosedEndsHasNoRollDampingOfSpeedToBeCountedTwice) {
+  const auto ship = loaded(reference_ship());
+  for (const double omega : {0.2, 0.35, 0.7}) {
+    const double still = hydrodynamic_coefficients(*ship, omega, 0.0).b[3][3];
+    EXPECT_NEAR(hydrodynamic_coefficients(*ship, omega, 10.0).b[3][3] / still, 1.0, 1e-9)
+        << omega;  // rounding
+  }
+}
+
+TEST(IkedaDamping, WaveDampingAtSpeedIsStripTheorysOrIkedasAndNeverBoth) {
+  // A hull that ends in a transom, so that strip theory has a part of its own.
+  Hull hull = reference_ship();
+  while (hull.stations.back().x > 120.0) {
+    ASSERT_TRUE(hull.stations.resize(hull.stations.size() - 1));
+  }
+  auto ship = std::make_unique<LoadedHull>();
+  StripMethod no_end_terms;
+  no_end_terms.end_terms = false;
+  ASSERT_TRUE(load(hull, hull.loading, no_end_terms, *ship).ok());
+  const auto keel = hull.roll_damping.bilge_keel;
+  const auto by_ikeda = ikeda_roll_damping(*ship, keel, 1.188e-6, WaveDampingAtSpeed::kIkeda);
+  ASSERT_TRUE(by_ikeda.ok());
+  for (const double omega : {0.3, 0.37, 0.6}) {
+    for (const double speed : {3.0, 8.0}) {
+      EXPECT_EQ(components_of(*ship, speed, 0.1, omega).wave, 0.0);  // strip theory's, as load() has it
+      const double still = hydrodynamic_coefficients(*ship, omega, 0.0).b[3][3];
+      const double own = hydrodynamic_coefficients(*ship, omega, speed).b[3][3];
+      EXPECT_GT(std::fabs(own / still - 1.0), 1e-3);
+      const double factor =
+          ikeda_wave_speed_factor(omega, speed, ship->hydrostatics.draught_at_lcb, ship->gravity);
+      const double added = roll_damping_components(*by_ikeda, speed, 0.1, omega).wave;
+      const double wanted = std::max(0.0, std::min(factor, 12.0) * still - own);
+      EXPECT_NEAR(added, wanted, 0.02 * (wanted + still)) << omega << ' ' << speed;  // table over frequency
+      EXPECT_EQ(roll_damping_components(*by_ikeda, 0.0, 0.1, omega).wave, 0.0);
+    }
+  }
 }
 
 TEST(IkedaDamping, TableOfTheKeelsPressureMeetsTheDirectSum) {
