@@ -76,6 +76,15 @@ void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, Se
   out[kB44][i] = b44 + 2.0 * og * b24 + og * og * b22;
 }
 
+void interpolate(const LoadedHull& hull, const LagrangeStencil& s, StripQuantity q, SectionValues& out) {
+  const SectionValues& v0 = hull.node[s.first][q];
+  const SectionValues& v1 = hull.node[s.first + 1][q];
+  const SectionValues& v2 = hull.node[s.first + 2][q];
+  for (std::size_t i = 0; i < hull.num_sections; ++i) {
+    out[i] = s.weight[0] * v0[i] + s.weight[1] * v1[i] + s.weight[2] * v2[i];
+  }
+}
+
 Status set_sections(LoadedHull& hull) {
   const ImmersedSections& sections = hull.immersed;
   hull.num_sections = sections.size();
@@ -224,13 +233,22 @@ void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrod
   }
   const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
   for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
-    const SectionValues& v0 = hull.node[s.first][q];
-    const SectionValues& v1 = hull.node[s.first + 1][q];
-    const SectionValues& v2 = hull.node[s.first + 2][q];
-    for (std::size_t i = 0; i < hull.num_sections; ++i) {
-      out[q][i] = s.weight[0] * v0[i] + s.weight[1] * v1[i] + s.weight[2] * v2[i];
-    }
+    interpolate(hull, s, static_cast<StripQuantity>(q), out[q]);
   }
+}
+
+void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, SectionValues& b33) {
+  const double log_omega = std::log(std::fabs(omega_e));
+  if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
+    SectionHydrodynamics all;
+    section_hydrodynamics(hull, omega_e, all);
+    a33 = all[kA33];
+    b33 = all[kB33];
+    return;
+  }
+  const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
+  interpolate(hull, s, kA33, a33);
+  interpolate(hull, s, kB33, b33);
 }
 
 void length_integrals(const LoadedHull& hull, const SectionHydrodynamics& section, LengthIntegrals& out) {

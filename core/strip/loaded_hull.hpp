@@ -131,6 +131,9 @@ void set_roll_damping_ratio(LoadedHull& hull, double ratio);
 /// a, b of every section at |omega_e| [rad/s] > 0, per metre, about G.
 void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out);
 
+/// Added mass and damping in heave alone, the same values.
+void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, SectionValues& b33);
+
 /// The integrals of section_hydrodynamics() at |omega_e|, without forming the sections between the nodes.
 void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out);
 
