@@ -12,7 +12,7 @@ namespace quickstrip {
 double spheroid_surge_added_mass_factor(double length, double breadth);
 
 /// Still-water resistance [N] of a merchant ship of `lpp` [m], displaced volume [m3] at V [m/s], after the
-/// curve of Troost (1955) that [Journee1992] §3 takes surge damping from:
+/// curve of [Troost1955] that [Journee1992] §3 takes surge damping from:
 ///   R = C_R rho volume^(2/3) V^2,  10^3 C_R = 3.6 + 15.2 / (log10 lpp + 0.6).
 /// The paper's text is damaged at this place. These constants are the reading that gives a plausible
 /// resistance (S-175 at 16.1 kn: 524 kN); the line of the parent program as remembered, 0.0152 / (log10 L +

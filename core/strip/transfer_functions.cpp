@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/sea/dispersion.hpp"
+#include "core/strip/added_resistance.hpp"
+#include "core/strip/empirical_added_resistance.hpp"
 #include "core/strip/equations_of_motion.hpp"
 
 namespace quickstrip {
@@ -34,15 +36,19 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
   const EncounterAngle mu = solved_angle(m);
   const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
   WaveField field;
+  ResistanceWave resistance;
   for (std::size_t f = 0; f < out.num_frequencies; ++f) {
     section_waves(hull, out.omega[f], mu, work.sections[f]);
     wave_field(hull, out.omega[f], mu, work.sections[f], haskind ? &work.correction[f] : nullptr, field);
+    resistance_wave(hull, out.omega[f], mu, work.sections[f], resistance);
     for (std::size_t v = 0; v < out.num_speeds; ++v) {
       const MotionTransfer solved = motion_transfer(hull, field, out.speeds[v], work.load[v][f]);
       if (!is_finite(solved)) {
         return Error::kSingular;
       }
       store_motions(solved.motion, f, out.row[v][m]);
+      out.added_resistance[v][m][f] =
+          static_cast<float>(added_resistance(hull, resistance, solved, out.speeds[v]));
       work.encounter[v][f] = {solved.encounter_frequency, solved.low_encounter};
     }
   }
@@ -59,6 +65,19 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
     }
   }
   return {};
+}
+
+void list_empirical_resistance(const LoadedHull& hull, TransferFunctions& out) {
+  const EmpiricalShip ship = empirical_ship(hull);
+  for (std::size_t v = 0; v < out.num_speeds; ++v) {
+    out.has_empirical_resistance[v] = is_in_range(ship, out.speeds[v]);
+    for (std::size_t m = 0; m < kNumSolvedDirections && out.has_empirical_resistance[v]; ++m) {
+      const EmpiricalResistance resistance(ship, solved_angle(m), out.speeds[v]);
+      for (std::size_t f = 0; f < out.num_frequencies; ++f) {
+        out.empirical_resistance[v][m][f] = static_cast<float>(resistance.at(out.omega[f]));
+      }
+    }
+  }
 }
 
 void set_frequency(const LoadedHull& hull, std::size_t f, double omega, TransferFunctions& out) {
@@ -87,6 +106,7 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
       beam_sea_correction(hull, out.omega[f], work.correction[f]);
     }
   }
+  list_empirical_resistance(hull, out);
   for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
     if (const Status solved = solve_direction(hull, m, resonances, work, out); !solved) {
       return solved;

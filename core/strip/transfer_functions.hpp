@@ -36,7 +36,11 @@ struct TransferWorkspace {
   std::array<std::array<Encounter, kMaxFrequencies>, kMaxSpeeds> encounter{};
 };
 
-/// 3.7 MB at full capacity: static. row[v][m]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
+/// Added resistance per metre of wave amplitude squared [N/m2], + aft, by wave frequency.
+using ResistanceRow = std::array<float, kMaxFrequencies>;
+using ResistanceRows = std::array<std::array<ResistanceRow, kNumSolvedDirections>, kMaxSpeeds>;
+
+/// 4.1 MB at full capacity: static. row[v][m]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
 struct TransferFunctions {
   std::size_t num_speeds = 0;
   std::size_t num_frequencies = 0;
@@ -50,6 +54,9 @@ struct TransferFunctions {
   RollDampingModel roll_damping;
   double critical_roll_damping = 0.0;              // 2 c44 / omega_n [N m s]
   std::array<RollUpdate, kMaxSpeeds> roll_update;  // to motions at other roll dampings
+  ResistanceRows added_resistance{};               // added_resistance.hpp
+  ResistanceRows empirical_resistance{};  // empirical_added_resistance.hpp, where the speed is in range
+  std::array<bool, kMaxSpeeds> has_empirical_resistance{};
 };
 
 /// mu of solved direction m [rad].
