@@ -34,6 +34,9 @@ struct Host {
   // parabola between them, and nodes of encounter frequency, 16 to a natural frequency (roll_update.hpp).
   static constexpr std::size_t kRollDampingLevels = 3;
   static constexpr std::size_t kNumRollUpdateNodes = 128;
+  // Whether the grid holds a second added resistance, the semi-empirical one: a float a speed, direction and
+  // frequency.
+  static constexpr bool kKeepsEmpiricalResistance = true;
   // Encounter frequencies of the loaded hull's coefficient table: three decades, 7.5 % apart, which keeps the
   // parabola between them within 3e-3 of the section table (tests/strip).
   static constexpr std::size_t kNumEncounterNodes = 96;
@@ -61,6 +64,7 @@ struct M7 {
   static constexpr std::size_t kMaxPeakPoints = 12;
   static constexpr std::size_t kRollDampingLevels = 3;
   static constexpr std::size_t kNumRollUpdateNodes = 64;
+  static constexpr bool kKeepsEmpiricalResistance = false;  // no room
   static constexpr std::size_t kNumEncounterNodes = 48;
   static constexpr std::size_t kMaxWaveSystems = 3;
   static constexpr std::size_t kMaxSpectrumFrequencies = 24;
@@ -101,6 +105,9 @@ inline constexpr std::size_t kMaxPeakIntervals = capacity::Profile::kMaxPeakInte
 inline constexpr std::size_t kMaxPeakPoints = capacity::Profile::kMaxPeakPoints;
 inline constexpr std::size_t kRollDampingLevels = capacity::Profile::kRollDampingLevels;
 inline constexpr std::size_t kNumRollUpdateNodes = capacity::Profile::kNumRollUpdateNodes;
+// Speeds of the semi-empirical added resistance; the one of a profile without it stays unused.
+inline constexpr bool kKeepsEmpiricalResistance = capacity::Profile::kKeepsEmpiricalResistance;
+inline constexpr std::size_t kMaxEmpiricalSpeeds = kKeepsEmpiricalResistance ? kMaxSpeeds : 1;
 // Legendre terms of the wave energy density within an interval of wave frequencies: a cubic.
 inline constexpr std::size_t kDensityTerms = 4;
 inline constexpr std::size_t kNumEncounterNodes = capacity::Profile::kNumEncounterNodes;

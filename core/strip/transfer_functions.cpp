@@ -70,7 +70,7 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
 void list_empirical_resistance(const LoadedHull& hull, TransferFunctions& out) {
   const EmpiricalShip ship = empirical_ship(hull);
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
-    out.has_empirical_resistance[v] = is_in_range(ship, out.speeds[v]);
+    out.has_empirical_resistance[v] = kKeepsEmpiricalResistance && is_in_range(ship, out.speeds[v]);
     for (std::size_t m = 0; m < kNumSolvedDirections && out.has_empirical_resistance[v]; ++m) {
       const EmpiricalResistance resistance(ship, solved_angle(m), out.speeds[v]);
       for (std::size_t f = 0; f < out.num_frequencies; ++f) {

@@ -38,7 +38,7 @@ struct TransferWorkspace {
 
 /// Added resistance per metre of wave amplitude squared [N/m2], + aft, by wave frequency.
 using ResistanceRow = std::array<float, kMaxFrequencies>;
-using ResistanceRows = std::array<std::array<ResistanceRow, kNumSolvedDirections>, kMaxSpeeds>;
+using ResistanceRows = std::array<ResistanceRow, kNumSolvedDirections>;
 
 /// 4.1 MB at full capacity: static. row[v][m]: mu = pi m / (kNumSolvedDirections - 1), m = 0 following.
 struct TransferFunctions {
@@ -52,10 +52,11 @@ struct TransferFunctions {
   std::array<std::array<MotionRow, kNumSolvedDirections>, kMaxSpeeds> row{};
   std::array<std::array<RollPeak, kNumSolvedDirections>, kMaxSpeeds> peak{};  // [v][m]
   RollDampingModel roll_damping;
-  double critical_roll_damping = 0.0;              // 2 c44 / omega_n [N m s]
-  std::array<RollUpdate, kMaxSpeeds> roll_update;  // to motions at other roll dampings
-  ResistanceRows added_resistance{};               // added_resistance.hpp
-  ResistanceRows empirical_resistance{};  // empirical_added_resistance.hpp, where the speed is in range
+  double critical_roll_damping = 0.0;                         // 2 c44 / omega_n [N m s]
+  std::array<RollUpdate, kMaxSpeeds> roll_update;             // to motions at other roll dampings
+  std::array<ResistanceRows, kMaxSpeeds> added_resistance{};  // strip/added_resistance.hpp, [v][m]
+  // strip/empirical_added_resistance.hpp, of the speeds that have it: in its range, where there is room.
+  std::array<ResistanceRows, kMaxEmpiricalSpeeds> empirical_resistance{};
   std::array<bool, kMaxSpeeds> has_empirical_resistance{};
 };
 
