@@ -40,6 +40,8 @@ inline constexpr std::uint8_t kNoSystem = 255;
 
 /// In a column that the hull or the criteria do not give (no bridge point, no slamming station ...).
 inline constexpr float kNotComputed = -1.0F;
+/// The same of an added resistance, which may well be -1 N.
+inline constexpr float kNoResistance = -3.0e38F;
 
 /// One cell. values: one per criterion, in the criterion's statistic (rad, m/s2, probability, 1/h);
 /// kNotComputed for a criterion that is not watched.
@@ -65,6 +67,10 @@ struct Cell {
   // left of its equation (response/roll_linearisation.hpp).
   float roll_damping_ratio = 0.0F;
   float roll_damping_residual = 0.0F;
+  // Mean added resistance in this sea, + aft [N]: by strip theory, and by the semi-empirical method in its
+  // range. A wave from astern may push.
+  float added_resistance = kNoResistance;
+  float added_resistance_empirical = kNoResistance;
 };
 
 inline constexpr float kMarginUnbounded = 99.0F;

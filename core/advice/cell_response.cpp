@@ -5,6 +5,7 @@
 
 #include "core/base/check.hpp"
 #include "core/response/deck_wetness.hpp"
+#include "core/response/mean_added_resistance.hpp"
 #include "core/response/moments.hpp"
 #include "core/response/short_term.hpp"
 #include "core/response/slamming.hpp"
@@ -53,6 +54,15 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
                    circumstances(inputs, speed, share, *damping));
   if (out.cell.governing != kNoCriterion) {
     out.cell.governing_system = largest_system(moments[inputs.channels.of_criterion[out.cell.governing]]);
+  }
+  const Result<MeanResistance> resistance =
+      mean_added_resistance(inputs.transfer, inputs.sea, heading, speed);
+  if (!resistance) {
+    return resistance.error();
+  }
+  out.cell.added_resistance = static_cast<float>(resistance->strip);
+  if (resistance->empirical) {
+    out.cell.added_resistance_empirical = static_cast<float>(*resistance->empirical);
   }
   out.quantities.clear();
   for (std::size_t c = 0; c < moments.size(); ++c) {

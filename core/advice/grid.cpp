@@ -47,6 +47,11 @@ Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorks
   if (cell.governing != kNoCriterion) {
     cell.governing_system = largest_system(moments[inputs.channels.of_criterion[cell.governing]]);
   }
+  const HeadingResistance& resistance = workspace.resistance;
+  cell.added_resistance = static_cast<float>(resistance.strip[h]);
+  if (resistance.has_empirical) {
+    cell.added_resistance_empirical = static_cast<float>(resistance.empirical[h]);
+  }
   return cell;
 }
 
@@ -106,6 +111,7 @@ Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out)
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea,
                          inputs.suppresses_low_encounter, workspace.sweep, workspace.moments);
+    list_mean_added_resistance(inputs.transfer, v, inputs.sea, workspace.sweep, workspace.resistance);
     for (std::size_t h = 0; h < out.num_headings; ++h) {
       out.cells[v][h] = judge_cell(inputs, h * directions_per_heading, out.speeds[v], workspace);
     }

@@ -18,6 +18,7 @@
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
 #include "core/response/heading_moments.hpp"
+#include "core/response/mean_added_resistance.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/transfer_functions.hpp"
@@ -43,6 +44,7 @@ struct GridWorkspace {
   Needs needs{};
   SweepWorkspace sweep;
   HeadingMoments moments;
+  HeadingResistance resistance;
   std::array<ResponseMoments, kMaxChannels> cell{};
 };
 

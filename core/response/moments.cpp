@@ -13,33 +13,6 @@ namespace {
 
 constexpr std::size_t kHalfCircle = kNumDirections / 2;
 
-/// The solved speeds on either side, and how far v lies towards the upper one.
-struct SpeedBracket {
-  std::size_t lower = 0;
-  std::size_t upper = 0;
-  double part = 0.0;
-};
-
-Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double speed) {
-  // Speeds at the rim are converted from knots: the last place of the ends is no reason to refuse.
-  constexpr double kRounding = 1e-9;
-  const std::size_t n = transfer.num_speeds;
-  if (n == 0 || !(speed >= transfer.speeds[0] - kRounding) ||
-      !(speed <= transfer.speeds[n - 1] + kRounding)) {
-    return Error::kSpeedOutOfGrid;
-  }
-  SpeedBracket bracket;
-  while (bracket.lower + 2 < n && speed >= transfer.speeds[bracket.lower + 1]) {
-    ++bracket.lower;
-  }
-  bracket.upper = std::min(bracket.lower + 1, n - 1);
-  if (bracket.upper > bracket.lower) {
-    const double low = transfer.speeds[bracket.lower];
-    bracket.part = std::clamp((speed - low) / (transfer.speeds[bracket.upper] - low), 0.0, 1.0);
-  }
-  return bracket;
-}
-
 using BandFactors = std::array<double, kMaxEnergyBands>;
 
 /// What the systems take of each band at one relative direction, between two compass directions.
@@ -215,6 +188,26 @@ EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, st
 }
 
 }  // namespace
+
+Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double speed) {
+  // Speeds at the rim are converted from knots: the last place of the ends is no reason to refuse.
+  constexpr double kRounding = 1e-9;
+  const std::size_t n = transfer.num_speeds;
+  if (n == 0 || !(speed >= transfer.speeds[0] - kRounding) ||
+      !(speed <= transfer.speeds[n - 1] + kRounding)) {
+    return Error::kSpeedOutOfGrid;
+  }
+  SpeedBracket bracket;
+  while (bracket.lower + 2 < n && speed >= transfer.speeds[bracket.lower + 1]) {
+    ++bracket.lower;
+  }
+  bracket.upper = std::min(bracket.lower + 1, n - 1);
+  if (bracket.upper > bracket.lower) {
+    const double low = transfer.speeds[bracket.lower];
+    bracket.part = std::clamp((speed - low) / (transfer.speeds[bracket.upper] - low), 0.0, 1.0);
+  }
+  return bracket;
+}
 
 std::size_t wave_direction(std::size_t h, std::size_t m) {
   return (h + kHalfCircle + kNumDirections - m) % kNumDirections;

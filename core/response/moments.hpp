@@ -51,6 +51,16 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
 Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea,
                                         Heading heading, double speed);
 
+/// The solved speeds on either side, and how far a speed lies towards the upper one.
+struct SpeedBracket {
+  std::size_t lower = 0;
+  std::size_t upper = 0;
+  double part = 0.0;
+};
+
+/// Errors: kSpeedOutOfGrid.
+Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double speed);
+
 /// The compass direction index from which waves come that travel at relative direction m when the ship heads
 /// for direction index h (2 pi h / kNumDirections): from = heading + pi - mu.
 std::size_t wave_direction(std::size_t h, std::size_t m);

@@ -70,7 +70,11 @@ std::string header(const Criteria& criteria) {
   for (const Criterion& criterion : criteria) {
     line += "," + column_name(criterion);
   }
-  return line;
+  return line + ",added_resistance_n,added_resistance_empirical_n";
+}
+
+std::optional<double> resistance(float mean) {
+  return mean > kNoResistance ? std::optional<double>(mean) : std::nullopt;
 }
 
 void add_rows(const StepOutput& output, const Criteria& criteria, Csv& csv) {
@@ -86,6 +90,7 @@ void add_rows(const StepOutput& output, const Criteria& criteria, Csv& csv) {
         const bool known = criteria[c].is_watched() && cell.values[c] >= 0.0F;
         csv.add(known ? std::optional<double>(cell.values[c]) : std::nullopt);
       }
+      csv.add(resistance(cell.added_resistance)).add(resistance(cell.added_resistance_empirical));
       csv.end_row();
     }
   }

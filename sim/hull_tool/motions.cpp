@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/advice/advice.hpp"
+#include "core/strip/added_resistance.hpp"
 #include "core/strip/equations_of_motion.hpp"
 #include "msgs/cli/list_option.hpp"
 #include "msgs/convert/units.hpp"
@@ -41,7 +42,7 @@ void run(const Options& options) {
         for (const Complex& motion : t.motion) {
           csv.add(std::abs(motion)).add(std::arg(motion));
         }
-        csv.add(std::optional<double>());  // added resistance is not computed yet
+        csv.add(added_resistance(*ship.loaded, omega, mu, from_knots(speed_kn), t));
         csv.add(quality_text(ship.quality | (t.low_encounter ? kQualityLowEncounter : 0u)));
         csv.end_row();
       }
@@ -65,7 +66,9 @@ void add_motions(CLI::App& app) {
              "wave amplitude [m]; damping as a ratio of critical does not depend on it");
   command->footer(
       "response = amp cos(omega_e t + phase) for a wave crest at G at t = 0; m/m and rad/m; roll starboard "
-      "down +, pitch bow down +, yaw bow to port +.");
+      "down +, pitch bow down +, yaw bow to port +. added_resistance_n_m2 per metre of amplitude squared, + "
+      "aft: "
+      "radiated energy ahead of the beam, integrated pressure behind it.");
   command->callback([options] {
     refuse_too_many("--speed-kn, --mu-deg, --omega",
                     {options->speeds_kn.size(), options->mus_deg.size(), options->omegas.size()});

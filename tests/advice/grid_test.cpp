@@ -78,6 +78,8 @@ TEST_F(GridSweep, GivesInEveryCellWhatTheResponseOfThatCellGives) {
       near(a.slams_per_hour, b.slams_per_hour);
       near(a.wetness_probability, b.wetness_probability);
       near(a.low_encounter_share, b.low_encounter_share);
+      near(a.added_resistance, b.added_resistance);
+      EXPECT_EQ(a.added_resistance_empirical, b.added_resistance_empirical);
       for (std::size_t i = 0; i < scene_->criteria.size(); ++i) {
         near(a.values[i], b.values[i]);
       }
