@@ -19,6 +19,7 @@ void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
 void add_parametric(CLI::App& app);
 void add_wigley(CLI::App& app);
+void add_frequencies(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
 inline void add_commands(CLI::App& app) {
@@ -34,6 +35,7 @@ inline void add_commands(CLI::App& app) {
   add_transform(app);
   add_parametric(app);
   add_wigley(app);
+  add_frequencies(app);
 }
 
 }  // namespace quickstrip::hull_tool

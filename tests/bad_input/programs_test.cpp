@@ -221,7 +221,8 @@ TEST_F(Programs, TransformsThatCannotBeExitOneAndLeaveNothingBehind) {
              {"--shift-lcb-m = 9", "together are possible"});
   expect_bad(transform + "o.toml --scale 3", {"--scale = 3", "525 m", "2.857 is possible"});
   expect_bad(transform + "o.toml --scale 0.005", {"--scale = 0.005", "is possible"});
-  expect_bad(transform + "o.toml --name \"a name of more than thirty-one bytes\"", {"--name: 36 bytes", "31"});
+  expect_bad(transform + "o.toml --name \"a name of more than thirty-one bytes\"",
+             {"--name: 36 bytes", "31"});
   expect_bad(transform + "./s175.toml --scale 2", {"./s175.toml", "itself"});
   EXPECT_EQ(text_of("s175.toml"), source_text("sim/hulls/s175.hull.toml"));
   expect_bad(kHull + " parametric tanker --out none/o.toml", {"none/o.toml: cannot be written"});
@@ -230,6 +231,22 @@ TEST_F(Programs, TransformsThatCannotBeExitOneAndLeaveNothingBehind) {
   expect_wrong_use(transform + "o.toml --change-cb nan", {"--change-cb: nan"});
   expect_wrong_use(transform + "o.toml --shift-lcb-m 1 --shift-lcb-lpp 0.01", {"excludes"});
   expect_wrong_use(kHull + " transform s175.toml", {"--out"});
+}
+
+TEST_F(Programs, ComparisonsWithoutAMeaningAreRefused) {
+  std::string text =
+      edited(source_text("sim/hulls/s175.hull.toml"), "method = \"ratio\"", "method = \"ikeda\"");
+  const std::string ikeda = folder_.file("ikeda.toml", text);
+  const std::string figures =
+      folder_.file("tank.csv", "hull,fn,quantity,abscissa,measured\nV,0.3,heave,1.25,0.7\n");
+  const std::string sea = " --spectrum bretschneider --hs-m 3 --t1-s 9 --speed-kn 10";
+  expect_bad(kHull + " frequencies ikeda.toml --mu-deg 90" + sea, {"ikeda.toml", "--roll-damping-ratio"});
+  expect_wrong_use(kHull + " frequencies " + kS175 + " --mu-deg 92" + sea, {"--mu-deg: 92", "multiple of 5"});
+  expect_wrong_use(kHull + " frequencies " + kS175 + " --mu-deg 90 --spreading-deg 20" + sea,
+                   {"--spreading-deg", "long-crested"});
+  expect_bad(kHull + " wigley --with none.csv", {"none.csv: cannot be read"});
+  expect_bad(kHull + " wigley --with tank.csv", {"tank.csv: line 2: hull = V", "I, II, III, IV"});
+  expect_bad(kHull + " wigley --with ikeda.toml", {"ikeda.toml: line", "hull, fn, quantity"});
 }
 
 TEST_F(Programs, ATransformedShipIsOneThatCheckPasses) {
