@@ -58,7 +58,7 @@ Label label_of(const Channel& channel, const Hull& hull) {
 }
 
 double error_percent(double value, double reference) {
-  return reference > 0.0 ? 100.0 * (value / reference - 1.0) : 0.0;
+  return reference != 0.0 ? 100.0 * (value - reference) / std::fabs(reference) : 0.0;
 }
 
 std::string as_csv(const std::vector<FrequencySet>& sets, const Watch& watch, const Hull& hull) {
@@ -71,6 +71,7 @@ std::string as_csv(const std::vector<FrequencySet>& sets, const Watch& watch, co
   };
   for (const FrequencySet& set : sets) {
     add(set, "wave_height", "", "m", set.wave_height, sets.front().wave_height);
+    add(set, "added_resistance", "", "N", set.added_resistance, sets.front().added_resistance);
     for (std::size_t i = 0; i < watch.channels.size(); ++i) {
       const Label label = label_of(watch.channels[i], hull);
       add(set, label.name, label.where, label.unit, set.significant[i], sets.front().significant[i]);
@@ -99,6 +100,7 @@ std::string as_table(const std::vector<FrequencySet>& sets, const Watch& watch, 
     });
   };
   value_line("wave height, m", [](const FrequencySet& set) { return set.wave_height; });
+  value_line("mean added resistance, N", [](const FrequencySet& set) { return set.added_resistance; });
   double largest_roll = 0.0;
   for (std::size_t i = 0; i < watch.channels.size(); ++i) {
     const Label label = label_of(watch.channels[i], hull);

@@ -8,11 +8,13 @@
 
 #include "core/base/check.hpp"
 #include "core/base/interpolation.hpp"
+#include "core/response/mean_added_resistance.hpp"
 #include "core/response/moments.hpp"
 #include "core/response/short_term.hpp"
 #include "core/sea/dispersion.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/sea/spectrum.hpp"
+#include "core/strip/added_resistance.hpp"
 #include "core/strip/equations_of_motion.hpp"
 #include "core/strip/transfer_functions.hpp"
 #include "msgs/cli/run_tool.hpp"
@@ -83,6 +85,7 @@ void integrate_set(const Case& c, const std::vector<double>& omegas,
     const double above = omegas[std::min(i + 1, omegas.size() - 1)];
     const double energy = 0.5 * (above - below) * density(c.spectrum, omegas[i]);
     wave += energy;
+    out.added_resistance += 2.0 * energy * added_resistance(c.hull, omegas[i], c.mu, c.speed, motions[i]);
     for (std::size_t n = 0; n < m0.size(); ++n) {
       m0[n] += energy * energy_of(c, c.watch.channels[n], omegas[i], motions[i]);
     }
@@ -146,6 +149,11 @@ FrequencySet default_set(const Case& c, const WaveSystem& sea) {
     throw InputError{std::string(message(responded.error()))};
   }
   out.wave_height = energy->hs;
+  const auto resistance = mean_added_resistance(*transfer, *energy, Heading{0.0}, c.speed);
+  if (!resistance) {
+    throw InputError{std::string(message(resistance.error()))};
+  }
+  out.added_resistance = resistance->strip;
   for (const ResponseMoments& m0 : moments) {
     out.significant.push_back(significant_amplitude(m0.m0));
   }

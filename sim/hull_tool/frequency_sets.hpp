@@ -30,6 +30,7 @@ struct FrequencySet {
   std::size_t solutions = 0;          // of the equations of motion
   double seconds = 0.0;               // for solving them, one speed and direction, interpolation included
   double wave_height = 0.0;           // significant, as the set has it [m]
+  double added_resistance = 0.0;      // mean, by strip theory [N]
   std::vector<double> significant{};  // by channel of the watch
 };
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "core/sea/dispersion.hpp"
+#include "core/strip/added_resistance.hpp"
 #include "core/strip/equations_of_motion.hpp"
 #include "msgs/cli/run_tool.hpp"
 #include "sim/hull_tool/csv_file.hpp"
@@ -17,8 +18,8 @@
 namespace quickstrip::hull_tool {
 namespace {
 
-constexpr std::array<std::string_view, 7> kQuantityNames = {"a33", "b33",   "b55",  "x3",
-                                                            "x5",  "heave", "pitch"};
+constexpr std::array<std::string_view, 8> kQuantityNames = {"a33", "b33",   "b55",   "x3",
+                                                            "x5",  "heave", "pitch", "added_resistance"};
 constexpr std::array<std::string_view, 4> kHullNames = {"I", "II", "III", "IV"};
 constexpr double kTankGravity = 9.81;
 
@@ -57,7 +58,7 @@ std::array<Complex, 6> head_loads(const LoadedHull& hull, const HeadWave& wave) 
 double coefficient(const LoadedHull& hull, const TankFigure& figure) {
   const double root = std::sqrt(hull.lpp / hull.gravity);
   const double speed = figure.fn * std::sqrt(hull.gravity * hull.lpp);
-  const auto h = hydrodynamic_coefficients(hull, figure.abscissa / root, speed);
+  const auto h = hydrodynamic_coefficients(hull, *figure.abscissa / root, speed);
   switch (figure.quantity) {
     case TankQuantity::kA33:
       return h.a[2][2] / hull.body.mass;
@@ -66,6 +67,19 @@ double coefficient(const LoadedHull& hull, const TankFigure& figure) {
     default:
       return h.b[4][4] / (hull.body.mass * hull.lpp * hull.lpp) * root;
   }
+}
+
+double largest_added_resistance(const LoadedHull& hull, double fn) {
+  constexpr int kLengths = 240;
+  constexpr double kFrom = 0.6;
+  constexpr double kStep = 0.01;  // of L: 0.1 % of a peak that is a tenth of L wide
+  double largest = 0.0;
+  for (int i = 0; i <= kLengths; ++i) {
+    const HeadWave wave = head_wave(hull, kFrom + kStep * i, fn);
+    const MotionTransfer motion = motion_transfer(hull, wave.omega, EncounterAngle{kPi}, wave.speed);
+    largest = std::max(largest, added_resistance(hull, wave.omega, EncounterAngle{kPi}, wave.speed, motion));
+  }
+  return largest / (hull.density * hull.gravity * hull.breadth * hull.breadth / hull.lpp);
 }
 
 std::size_t index_of(const CsvFile& file, std::size_t column, std::string_view name,
@@ -106,7 +120,9 @@ std::vector<TankFigure> read_tank_file(const std::string& path) {
     figure.hull = static_cast<int>(index_of(file, hull, "hull", kHullNames)) + 1;
     figure.fn = file.number(fn, "fn", {0.0, 0.5});
     figure.quantity = static_cast<TankQuantity>(index_of(file, quantity, "quantity", kQuantityNames));
-    figure.abscissa = file.number(abscissa, "abscissa", {0.1, 20.0});
+    if (figure.quantity != TankQuantity::kAddedResistance) {
+      figure.abscissa = file.number(abscissa, "abscissa", {0.1, 20.0});
+    }
     figure.measured = file.number(measured, "measured", {1e-6, 1000.0});
     figures.push_back(figure);
   }
@@ -130,7 +146,10 @@ double computed_figure(const LoadedHull& hull, const TankFigure& figure) {
   if (figure.quantity <= TankQuantity::kB55) {
     return coefficient(hull, figure);
   }
-  const HeadWave wave = head_wave(hull, figure.abscissa, figure.fn);
+  if (figure.quantity == TankQuantity::kAddedResistance) {
+    return largest_added_resistance(hull, figure.fn);
+  }
+  const HeadWave wave = head_wave(hull, *figure.abscissa, figure.fn);
   switch (figure.quantity) {
     case TankQuantity::kX3:
       return std::abs(head_loads(hull, wave)[2]) / hull.restoring.c33;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,13 +17,13 @@
 
 namespace quickstrip::hull_tool {
 
-enum class TankQuantity : std::uint8_t { kA33, kB33, kB55, kX3, kX5, kHeave, kPitch };
+enum class TankQuantity : std::uint8_t { kA33, kB33, kB55, kX3, kX5, kHeave, kPitch, kAddedResistance };
 
 struct TankFigure {
   int hull = 1;  // 1 ... 4
   double fn = 0.0;
   TankQuantity quantity = TankQuantity::kHeave;
-  double abscissa = 0.0;
+  std::optional<double> abscissa;  // none: the largest of the curve
   double measured = 0.0;
 };
 

@@ -59,7 +59,7 @@ std::string as_table(const std::vector<TankFigure>& figures, const Wigleys& wigl
                                 "abscissa", "measured", "ordinary", "modified");
   for (const TankFigure& f : figures) {
     out += fmt::format("{:>4} {:>5} {:<17}{:>9}{:>10}", wigley_numeral(f.hull), f.fn, name_of(f.quantity),
-                       f.abscissa, f.measured);
+                       f.abscissa ? fmt::format("{:g}", *f.abscissa) : "largest", f.measured);
     for (const auto& hull : wigleys[static_cast<std::size_t>(f.hull - 1)]) {
       const double computed = computed_figure(*hull, f);
       out += fmt::format("{:>11.3f} {:>+6.0f} %", computed, miss_percent(computed, f.measured));

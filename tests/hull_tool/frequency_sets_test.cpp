@@ -62,6 +62,10 @@ TEST_F(FrequencySets, OfThePaperGiveHeaveAndPitchInBowSeasWithinTwoPerCent) {
       EXPECT_NEAR(error(sets, set, Quantity::kHeave), 0.0, 0.02) << sets[set].name << " " << t1;
       EXPECT_NEAR(error(sets, set, Quantity::kPitch), 0.0, 0.02) << sets[set].name << " " << t1;
     }
+    // Resistance goes with the square of the relative motion: twice the error, and a peak narrower than
+    // heave's.
+    EXPECT_NEAR(sets[kDefault].added_resistance, sets[0].added_resistance, 0.01 * sets[0].added_resistance);
+    EXPECT_NEAR(sets[kPaper].added_resistance, sets[0].added_resistance, 0.05 * sets[0].added_resistance);
     EXPECT_NEAR(error(sets, kDefault, Quantity::kHeave), 0.0, 0.005) << t1;
     EXPECT_NEAR(error(sets, kDefault, Quantity::kPitch), 0.0, 0.005) << t1;
   }

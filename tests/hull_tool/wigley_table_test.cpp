@@ -29,6 +29,9 @@ double allowed(TankQuantity quantity) {
       return 0.30;  // found -25 ... -9 %: IV at Fn 0, lambda/L 1.5 has 1.04 of the wave's own slope
     case TankQuantity::kB55:
       return 1.6;  // found +22 ... +149 %: strip theory's B55 grows with V^2, more so by the modified method
+    case TankQuantity::kAddedResistance:
+      return 2.0;  // found -62 ... +190 %: goes with the square of relative motions at resonance
+                   // (tests/strip)
   }
   return 0.0;
 }
@@ -44,13 +47,13 @@ TEST_P(WigleyTable, EveryFigureOfTheTankIsMissedByNoMoreThanStripTheoryMust) {
     load_wigley(static_cast<int>(i) + 1, method, *hulls[i]);
   }
   const auto figures = read_tank_file(QUICKSTRIP_SOURCE_DIR "/tests/golden/wigley_tank.csv");
-  EXPECT_GE(figures.size(), 41U);
+  EXPECT_EQ(figures.size(), 50U);
   for (const TankFigure& f : figures) {
     const double computed = computed_figure(*hulls[static_cast<std::size_t>(f.hull - 1)], f);
     const double miss = computed / f.measured - 1.0;
     std::printf("Wigley %-3s Fn %.1f %-6s at %-6g measured %.3f, ours %.3f (%+.0f %%)\n",
-                wigley_numeral(f.hull).data(), f.fn, name_of(f.quantity).data(), f.abscissa, f.measured,
-                computed, 100.0 * miss);
+                wigley_numeral(f.hull).data(), f.fn, name_of(f.quantity).data(), f.abscissa.value_or(0.0),
+                f.measured, computed, 100.0 * miss);
     EXPECT_LT(std::fabs(miss), allowed(f.quantity));
   }
 }
