@@ -28,8 +28,8 @@
 // Limits: 0 in long waves; radiated energy 0 as mu -> 90 from ahead; Boese 0 in short waves for a waterline
 // that closes.
 // Expected error: peak of the S-175 in head waves at 20 kn 7 ... 9 % below another program's; of the Wigley
-// hulls 0.4 to 2.5 times the measured (tests/strip).
-// Cost: some 0.3 us, and the wave once for all speeds. Re-entrant. For mu >= 90 omega_e >= omega > 0; behind
+// hulls 0.4 to 2.9 times the measured (tests/strip).
+// Cost: some 0.2 us, and the wave once for all speeds. Re-entrant. For mu >= 90 omega_e >= omega > 0; behind
 // the beam nothing is divided by omega_e.
 #pragma once
 

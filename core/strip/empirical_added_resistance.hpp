@@ -15,7 +15,7 @@
 // STAWAVE-2, as remembered; SNNM's own list could not be read. Fn below 0.1 is left in: SNNM has a branch for
 // it. Trim up to 2 % of Lpp, ours: the trim terms 4 - 125 arctan lose their meaning at 3.2 %.
 // Expected error: some 20 ... 30 % of the peak, by its authors' figures as remembered.
-// Cost: some 0.1 us a frequency. Re-entrant.
+// Cost: some 0.05 us a frequency. Re-entrant.
 #pragma once
 
 #include "core/base/angles.hpp"
