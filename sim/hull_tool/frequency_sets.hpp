@@ -39,14 +39,4 @@ struct FrequencySet {
 std::vector<FrequencySet> compare_frequency_sets(const LoadedHull& hull, const Watch& watch,
                                                  const WaveSystem& sea, EncounterAngle mu, double speed);
 
-/// Motions at `at` by not-a-knot cubic splines through motions at `nodes`, of real and imaginary part or of
-/// amplitude and phase.
-std::vector<MotionTransfer> spline_motions(const std::vector<double>& nodes,
-                                           const std::vector<MotionTransfer>& motions,
-                                           const std::vector<double>& at, bool by_amplitude);
-
-/// The paper's 18 frequencies, and the 52 with two more in each interval.
-std::vector<double> paper_frequencies();
-std::vector<double> paper_frequencies_filled();
-
 }  // namespace quickstrip::hull_tool

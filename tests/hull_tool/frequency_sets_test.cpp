@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "sim/hull_tool/motion_spline.hpp"
 #include "tests/support/hulls.hpp"
 
 namespace quickstrip::hull_tool {
