@@ -47,13 +47,17 @@ Label label_of(const Channel& channel, const Hull& hull) {
     case Quantity::kYaw:
       return {"yaw", "rad"};
     case Quantity::kLongitudinalAcceleration:
-      return {"longitudinal acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
+      return {"longitudinal_acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
     case Quantity::kLateralAcceleration:
-      return {"lateral acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
+      return {"lateral_acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
     case Quantity::kVerticalAcceleration:
-      return {"vertical acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
+      return {"vertical_acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
+    case Quantity::kSlamming:
+      return {"slamming", "m", std::string(hull.slamming[channel.place].name.view())};
+    case Quantity::kDeckWetness:
+      return {"deck_wetness", "m", std::string(hull.freeboard[channel.place].name.view())};
     default:
-      return {"relative motion", "m", fmt::format("x {:g} m from G", channel.position.x)};
+      return {"relative_motion", "m", fmt::format("x {:g} m from G", channel.position.x)};
   }
 }
 
