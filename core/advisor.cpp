@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/advice/quality.hpp"
 #include "core/advice/ranking.hpp"
 
 namespace quickstrip {
@@ -14,8 +15,6 @@ Wanted& alive(Scratch& scratch) {
   Wanted* const there = std::get_if<Wanted>(&scratch);
   return there != nullptr ? *there : scratch.template emplace<Wanted>();
 }
-
-constexpr double kLowLengthBreadth = 3.0;  // [Journee1992] §2: strip theory needs L/B of about three
 
 Result<std::size_t> count_headings(const GridDefinition& grid) {
   if (!(grid.heading_step > 0.0) || !(grid.heading_step <= kTwoPi)) {
@@ -56,20 +55,6 @@ Result<SpeedList> list_speeds(const GridDefinition& grid) {
   return list;
 }
 
-std::uint32_t hull_quality(const LoadedHull& loaded, const Loading& loading) {
-  std::uint32_t quality = 0;
-  if (loaded.has_replaced_section) {
-    quality |= kQualityReplacedSection;
-  }
-  if (loaded.lpp < kLowLengthBreadth * loaded.breadth) {
-    quality |= kQualityLowLengthBreadth;
-  }
-  if (!loading.free_surface_correction && !loading.gm) {
-    quality |= kQualityFreeSurfaceUnknown;
-  }
-  return quality;
-}
-
 }  // namespace
 
 Status Advisor::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method) {
@@ -98,7 +83,8 @@ Status Advisor::build(const Loading& loading) {
   if (const Status status = load(hull_, loading, method_, loaded_); !status) {
     return status;
   }
-  if (const Status status = list_channels(hull_, loading, loaded_.hydrostatics, watch_); !status) {
+  if (const Status status = list_channels(hull_, loading, loaded_.hydrostatics, method_.swell_up, watch_);
+      !status) {
     return status;
   }
   channels_ = bind_criteria(criteria_, watch_);
@@ -190,7 +176,8 @@ NoAdvice Advisor::place_sea(const StepInputs& inputs) {
 }
 
 NoAdvice Advisor::advise(const OwnShip& ship) {
-  output_.quality = hull_quality(loaded_, loading_) | (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
+  output_.quality = hull_quality(loaded_, loading_) | depth_quality(ship.water_depth, sea_, loading_) |
+                    (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
   const GridInputs inputs = grid_inputs(output_.quality);
   output_.hs = sea_.hs;
   output_.lost_tail = sea_.lost_tail;

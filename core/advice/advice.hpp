@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -16,6 +17,7 @@ namespace quickstrip {
 enum class Verdict : std::uint8_t { kUnknown = 0, kGood = 1, kCaution = 2, kExceeded = 3 };
 
 /// Bits that travel with a number (formulas §6, [Journee1992] §6): usable, but for a reason to be said.
+/// Worded once, in msgs/convert/quality_text.hpp and msgs/CHANNELS.md.
 enum QualityBit : std::uint32_t {
   kQualityReplacedSection = 1u << 0,     // sections that no Lewis form fits
   kQualityLowEncounter = 1u << 1,        // energy at encounter frequencies below the floor
@@ -25,8 +27,13 @@ enum QualityBit : std::uint32_t {
   kQualityTailLost = 1u << 5,            // more than 1 % of m0 outside the frequency range
   kQualitySpeedOverGround = 1u << 6,     // speed through water not known
   kQualityFreeSurfaceUnknown = 1u << 7,  // no free-surface correction given
-  kQualityRollNotConverged = 1u << 12,   // roll linearisation ended with a residual worth saying
+  kQualityWideBand = 1u << 8,       // a watched response of bandwidth above kWideBandwidth (short_term.hpp)
+  kQualitySwellUpRange = 1u << 9,   // swell-up outside the range of its formula: a factor stands for it
+  kQualityShallowWater = 1u << 10,  // the water is not deep for these waves or this ship
+  kQualityRollDampingRange = 1u << 11,  // roll damping outside the range of its formulas
+  kQualityRollNotConverged = 1u << 12,  // roll linearisation ended with a residual worth saying
 };
+inline constexpr std::size_t kNumQualityBits = 13;
 
 /// Hazard bits of a cell. Zones of the IMO guidance follow with issue of that name; reserved here.
 enum HazardBit : std::uint16_t {

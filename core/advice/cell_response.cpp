@@ -7,13 +7,13 @@
 #include "core/response/deck_wetness.hpp"
 #include "core/response/mean_added_resistance.hpp"
 #include "core/response/moments.hpp"
+#include "core/response/propeller_emergence.hpp"
 #include "core/response/short_term.hpp"
 #include "core/response/slamming.hpp"
 
 namespace quickstrip {
-namespace {
 
-QuantityResponse quantity_response(const Channel& channel, const ResponseMoments& moments) {
+QuantityResponse quantity_response(const Channel& channel, double speed, const ResponseMoments& moments) {
   QuantityResponse out{.quantity = channel.quantity,
                        .place = channel.place,
                        .rms = std::sqrt(moments.m0),
@@ -22,23 +22,30 @@ QuantityResponse quantity_response(const Channel& channel, const ResponseMoments
                        .t2 = zero_crossing_period(moments.m0, moments.m2),
                        .low_encounter_share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0,
                        .variance = moments.m0_by_system};
+  if (moments.m4 != kNoMoment) {
+    out.t4 = crest_period(moments.m2, moments.m4);
+    out.bandwidth = bandwidth(moments.m0, moments.m2, moments.m4);
+  }
+  const double level = level_at(channel, speed);
   if (channel.quantity == Quantity::kSlamming) {
-    out.probability = slamming_probability(channel.level, channel.threshold_velocity, moments.m0, moments.m2);
-    out.per_hour = slams_per_hour(channel.level, channel.threshold_velocity, moments.m0, moments.m2);
+    out.probability = slamming_probability(level, channel.threshold_velocity, moments.m0, moments.m2);
+    out.per_hour = slams_per_hour(level, channel.threshold_velocity, moments.m0, moments.m2);
   } else if (channel.quantity == Quantity::kDeckWetness) {
-    out.probability = wetness_probability(channel.level, moments.m0);
-    out.per_hour = wetnesses_per_hour(channel.level, moments.m0, moments.m2);
+    out.probability = wetness_probability(level, moments.m0);
+    out.per_hour = wetnesses_per_hour(level, moments.m0, moments.m2);
+  } else if (channel.quantity == Quantity::kPropellerEmergence) {
+    out.probability = emergence_probability(level, moments.m0);
+    out.per_hour = emergences_per_hour(level, moments.m0, moments.m2);
   }
   return out;
 }
 
-}  // namespace
-
 Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out) {
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(inputs.watch.channels.size());
+  const ChannelSet* const with_fourth = inputs.wants_all_bandwidths ? nullptr : &inputs.channels.is_watched;
   const Result<RollDampingInUse> damping =
-      response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments);
+      response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments, with_fourth);
   if (!damping) {
     return damping.error();
   }
@@ -66,7 +73,10 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   }
   out.quantities.clear();
   for (std::size_t c = 0; c < moments.size(); ++c) {
-    QS_CHECK(out.quantities.push_back(quantity_response(inputs.watch.channels[c], moments[c])));
+    QS_CHECK(out.quantities.push_back(quantity_response(inputs.watch.channels[c], speed, moments[c])));
+    if (inputs.channels.is_watched[c] && out.quantities[c].bandwidth > kWideBandwidth) {
+      out.cell.quality |= kQualityWideBand;
+    }
   }
   return {};
 }

@@ -19,8 +19,8 @@
 
 namespace quickstrip {
 
-/// One quantity at one place. Slamming and deck wetness: rms, significant and periods are those of the
-/// vertical relative motion [m]. Periods are 0 where nothing moves.
+/// One quantity at one place. Slamming, deck wetness and propeller emergence: rms, significant and periods
+/// are those of the vertical relative motion [m]. Periods are 0 where nothing moves.
 struct QuantityResponse {
   Quantity quantity = Quantity::kRoll;
   std::uint8_t place = 0;             // index into points, slamming stations or freeboard points; motions: 0
@@ -28,13 +28,15 @@ struct QuantityResponse {
   double significant = 0.0;           // single amplitude
   double t1 = 0.0;                    // s
   double t2 = 0.0;                    // s
-  double probability = kNotComputed;  // per wave encounter; slamming and deck wetness only
-  double per_hour = kNotComputed;     // slamming and deck wetness only
+  double t4 = kNotComputed;           // s, between maxima; where bandwidth is
+  double bandwidth = kNotComputed;    // epsilon, 0 ... 1: of watched quantities, or of all if asked
+  double probability = kNotComputed;  // per wave encounter; events only
+  double per_hour = kNotComputed;     // events only
   double low_encounter_share = 0.0;   // of the variance, below the encounter-frequency floor
   std::array<double, kMaxWaveSystems> variance{};  // by wave system; their sum is rms^2
 };
 
-/// 70 quantities of about 130 bytes: static. `cell` holds verdict, governing criterion and margin.
+/// 71 quantities of about 150 bytes: static. `cell` holds verdict, governing criterion and margin.
 struct CellResponse {
   Heading heading{};
   double speed = 0.0;  // m/s
@@ -42,6 +44,9 @@ struct CellResponse {
   Cell cell{};
   StaticVector<QuantityResponse, kMaxChannels> quantities{};
 };
+
+/// Of a channel at the ship's speed [m/s].
+QuantityResponse quantity_response(const Channel& channel, double speed, const ResponseMoments& moments);
 
 /// Any heading; speed within the solved speeds. Cost: that of response_moments.
 /// Errors: kSpeedOutOfGrid, kNotFinite, kTooMany.

@@ -6,16 +6,15 @@
 namespace quickstrip {
 namespace {
 
-bool is_event(Quantity quantity) {
-  return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness;
-}
-
 std::size_t num_places(Quantity quantity, const Hull& hull) {
   if (quantity <= Quantity::kYaw) {
     return 1;  // of G
   }
   if (quantity == Quantity::kSlamming) {
     return hull.slamming.size();
+  }
+  if (quantity == Quantity::kPropellerEmergence) {
+    return hull.propeller ? 1 : 0;
   }
   return quantity == Quantity::kDeckWetness ? hull.freeboard.size() : hull.points.size();
 }
@@ -33,7 +32,7 @@ Status check_one(const Criterion& criterion, const Hull& hull) {
   const bool sound = criterion.limit > 0.0 &&
                      (criterion.statistic != Statistic::kProbability || criterion.limit < 1.0) &&
                      criterion.caution_fraction > 0.0 && criterion.caution_fraction <= 1.0 &&
-                     criterion.quantity <= Quantity::kDeckWetness && statistic_suits(criterion) &&
+                     criterion.quantity <= kLastWatched && statistic_suits(criterion) &&
                      (!criterion.is_watched() || criterion.place < num_places(criterion.quantity, hull));
   return sound ? Status() : Status(Error::kOutOfRange);
 }

@@ -22,7 +22,8 @@ inline constexpr std::uint8_t kNowhere = 255;
 struct Criterion {
   Name name{};  // "roll", "slamming at bow"
   Quantity quantity = Quantity::kRoll;
-  std::uint8_t place = 0;  // index into the hull's points, slamming stations or freeboard points
+  std::uint8_t place =
+      0;  // index into the hull's points, slamming stations or freeboard points; propeller: 0
   Statistic statistic = Statistic::kRms;
   double limit = 0.0;              // rad, m/s2, probability per encounter or number per hour
   double caution_fraction = 0.75;  // of the limit: amber from here on
@@ -32,9 +33,9 @@ struct Criterion {
 using Criteria = StaticVector<Criterion, kMaxCriteria>;
 
 /// Whether the profile makes sense for this hull: every place exists or is kNowhere; motions and
-/// accelerations are judged by RMS or significant amplitude, slamming and deck wetness by probability or rate
-/// per hour; limits are finite and above zero, a probability below one; caution fractions in (0, 1]. Errors:
-/// kNotFinite, kOutOfRange.
+/// accelerations are judged by RMS or significant amplitude, slamming, deck wetness and propeller emergence
+/// by probability or rate per hour; limits are finite and above zero, a probability below one; caution
+/// fractions in (0, 1]. Errors: kNotFinite, kOutOfRange.
 Status check_criteria(const Criteria& criteria, const Hull& hull);
 
 }  // namespace quickstrip

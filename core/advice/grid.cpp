@@ -1,12 +1,12 @@
 #include "core/advice/grid.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/advice/quality.hpp"
 
 namespace quickstrip {
 namespace {
 
-constexpr double kHighFroude = 0.35;       // [Journee1992] §6
 constexpr double kTailWorthSaying = 0.01;  // of m0
 
 Needs needs_of(const GridInputs& inputs) {
@@ -77,7 +77,8 @@ Status check_inputs(const GridInputs& inputs) {
 CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share,
                                 const RollDampingInUse& damping) {
   const double critical = inputs.transfer.critical_roll_damping;
-  CellCircumstances known{.quality = inputs.quality,
+  CellCircumstances known{.speed = speed,
+                          .quality = inputs.quality,
                           .low_encounter_share = low_encounter_share,
                           .roll_damping_ratio = critical > 0.0 ? damping.added / critical : 0.0,
                           .roll_damping_residual = damping.residual};
@@ -85,8 +86,9 @@ CellCircumstances circumstances(const GridInputs& inputs, double speed, double l
   if (!(damping.residual < kRollResidualLimit)) {
     known.quality |= kQualityRollNotConverged;
   }
-  if (speed > kHighFroude * std::sqrt(inputs.watch.gravity * inputs.lpp)) {
-    known.quality |= kQualityHighFroude;
+  known.quality |= speed_quality(speed, inputs.lpp, inputs.watch.gravity);
+  if (!inputs.watch.swell_up.is_in_range(speed)) {
+    known.quality |= kQualitySwellUpRange;
   }
   if (inputs.sea.lost_tail > kTailWorthSaying) {
     known.quality |= kQualityTailLost;

@@ -37,6 +37,7 @@ struct GridInputs {
   double min_steerage_speed = 0.0;          // m/s
   std::uint32_t quality = 0;                // bits of the hull and its loading
   bool suppresses_low_encounter = false;    // LowEncounterRule::kPaper: loads forced to zero there
+  bool wants_all_bandwidths = false;        // of every quantity in a response, not of the watched ones alone
 };
 
 /// Scratch of sweep_grid; its contents mean nothing between calls.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "core/advice/advice.hpp"
 #include "core/advice/cell_response.hpp"
@@ -16,8 +17,9 @@ namespace quickstrip {
 
 struct OwnShip {
   Heading heading;
-  double speed = 0.0;              // through the water, or over ground and said so [m/s]
-  bool speed_over_ground = false;  // fallback: speed through the water is not known
+  double speed = 0.0;                   // through the water, or over ground and said so [m/s]
+  bool speed_over_ground = false;       // fallback: speed through the water is not known
+  std::optional<double> water_depth{};  // from the surface [m]; empty: not known
 };
 
 /// Core has no clock: age is the session's to judge, and `no_advice` its way to say that an input is missing

@@ -24,12 +24,13 @@ bool is_column(const Channel& channel) {
          channel.quantity == Quantity::kDeckWetness || is_bridge_vertical(channel);
 }
 
-/// q of P = exp(-q): a freeboard is a slamming station without threshold velocity.
-double event_exponent(const Channel& channel, const ResponseMoments& moments) {
-  return slamming_exponent(channel.level, channel.threshold_velocity, moments.m0, moments.m2);
+/// q of P = exp(-q): a freeboard or a propeller is a slamming station without threshold velocity.
+double event_exponent(const Channel& channel, double speed, const ResponseMoments& moments) {
+  return slamming_exponent(level_at(channel, speed), channel.threshold_velocity, moments.m0, moments.m2);
 }
 
-double event_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments) {
+double event_margin(const Criterion& criterion, const Channel& channel, double speed,
+                    const ResponseMoments& moments) {
   double probability = criterion.limit;
   if (criterion.statistic == Statistic::kPerHour) {
     const double per_hour = oscillations_per_hour(moments.m0, moments.m2);
@@ -38,7 +39,7 @@ double event_margin(const Criterion& criterion, const Channel& channel, const Re
     }
     probability = criterion.limit / per_hour;
   }
-  return std::sqrt(event_exponent(channel, moments) / -std::log(probability));
+  return std::sqrt(event_exponent(channel, speed, moments) / -std::log(probability));
 }
 
 struct Tally {
@@ -50,10 +51,10 @@ struct Tally {
   double governing_margin = static_cast<double>(kMarginUnbounded);
 };
 
-void judge_criterion(const Criterion& criterion, std::size_t index, const Channel& channel,
+void judge_criterion(const Criterion& criterion, std::size_t index, const Channel& channel, double speed,
                      const ResponseMoments& moments, Tally& tally, Cell& cell) {
-  const double value = criterion_value(criterion, channel, moments);
-  const double margin = height_margin(criterion, channel, moments);
+  const double value = criterion_value(criterion, channel, speed, moments);
+  const double margin = height_margin(criterion, channel, speed, moments);
   tally.all_finite = tally.all_finite && std::isfinite(value) && std::isfinite(margin);
   cell.values[index] = static_cast<float>(value);
   tally.any_exceeded = tally.any_exceeded || value > criterion.limit;
@@ -96,7 +97,7 @@ double roll_amplitude_limit(const Criteria& criteria) {
 }
 
 void fill_columns(const Criteria& criteria, const Watch& watch, std::span<const ResponseMoments> moments,
-                  Cell& cell) {
+                  double speed, Cell& cell) {
   const auto worst = [](float& column, double value) {
     column = std::max(column, static_cast<float>(value));
   };
@@ -115,7 +116,7 @@ void fill_columns(const Criteria& criteria, const Watch& watch, std::span<const 
             slamming_probability(channel.level, channel.threshold_velocity, m.m0, m.m2));
       worst(cell.slams_per_hour, slams_per_hour(channel.level, channel.threshold_velocity, m.m0, m.m2));
     } else if (channel.quantity == Quantity::kDeckWetness) {
-      worst(cell.wetness_probability, wetness_probability(channel.level, m.m0));
+      worst(cell.wetness_probability, wetness_probability(level_at(channel, speed), m.m0));
     }
   }
 }
@@ -158,26 +159,29 @@ CriteriaChannels bind_criteria(const Criteria& criteria, const Watch& watch) {
   return out;
 }
 
-double criterion_value(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments) {
+double criterion_value(const Criterion& criterion, const Channel& channel, double speed,
+                       const ResponseMoments& moments) {
   switch (criterion.statistic) {
     case Statistic::kRms:
       return std::sqrt(moments.m0);
     case Statistic::kSignificant:
       return significant_amplitude(moments.m0);
     case Statistic::kProbability:
-      return std::exp(-event_exponent(channel, moments));
+      return std::exp(-event_exponent(channel, speed, moments));
     case Statistic::kPerHour:
-      return oscillations_per_hour(moments.m0, moments.m2) * std::exp(-event_exponent(channel, moments));
+      return oscillations_per_hour(moments.m0, moments.m2) *
+             std::exp(-event_exponent(channel, speed, moments));
   }
   check_failed("a statistic that is not one", __FILE__, __LINE__);
 }
 
-double height_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments) {
+double height_margin(const Criterion& criterion, const Channel& channel, double speed,
+                     const ResponseMoments& moments) {
   constexpr auto kUnbounded = static_cast<double>(kMarginUnbounded);
   if (criterion.statistic == Statistic::kProbability || criterion.statistic == Statistic::kPerHour) {
-    return std::min(event_margin(criterion, channel, moments), kUnbounded);
+    return std::min(event_margin(criterion, channel, speed, moments), kUnbounded);
   }
-  const double value = criterion_value(criterion, channel, moments);
+  const double value = criterion_value(criterion, channel, speed, moments);
   return value <= criterion.limit / kUnbounded ? kUnbounded : criterion.limit / value;
 }
 
@@ -203,7 +207,7 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
       tally.any_unwatched = true;
       continue;
     }
-    judge_criterion(criteria[i], i, watch.channels[c], moments[c], tally, cell);
+    judge_criterion(criteria[i], i, watch.channels[c], circumstances.speed, moments[c], tally, cell);
   }
   if (!tally.all_finite) {
     return unknown_cell(circumstances);
@@ -211,7 +215,7 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
   const bool following_unwatched = static_cast<double>(cell.low_encounter_share) > kLowEncounterLimit;
   cell.verdict = verdict_of(tally, following_unwatched);
   cell.margin = cell.governing == kNoCriterion ? 0.0F : static_cast<float>(tally.governing_margin);
-  fill_columns(criteria, watch, moments, cell);
+  fill_columns(criteria, watch, moments, circumstances.speed, cell);
   if (following_unwatched) {
     cell.hazards |= kHazardFollowingUnwatched;
   }

@@ -2,7 +2,8 @@
 //
 // Margin: the factor by which wave height may grow before the limit is reached. Variances grow with its
 // square: RMS and significant amplitude, limit / value; slamming, P = exp(-q / f^2) = limit gives
-// f = sqrt(q / ln(1 / limit)), likewise deck wetness with q = freeboard^2 / 2 m0; for a rate per hour the
+// f = sqrt(q / ln(1 / limit)), likewise deck wetness with q = freeboard^2 / 2 m0 and propeller emergence with
+// q = depth^2 / 2 m0; for a rate per hour the
 // limit on P is limit / (3600 / T2), since T2 does not change with height.
 //
 // Verdict, the first that holds:
@@ -42,17 +43,20 @@ struct CriteriaChannels {
 
 CriteriaChannels bind_criteria(const Criteria& criteria, const Watch& watch);
 
-/// In the criterion's own statistic.
-double criterion_value(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments);
+/// In the criterion's own statistic, at the ship's speed [m/s].
+double criterion_value(const Criterion& criterion, const Channel& channel, double speed,
+                       const ResponseMoments& moments);
 
 /// In [0, kMarginUnbounded]; 1 at the limit.
-double height_margin(const Criterion& criterion, const Channel& channel, const ResponseMoments& moments);
+double height_margin(const Criterion& criterion, const Channel& channel, double speed,
+                     const ResponseMoments& moments);
 
 /// The wave system of the largest variance; kNoSystem when there is none.
 std::uint8_t largest_system(const ResponseMoments& moments);
 
 /// What is known of a cell besides its moments.
 struct CellCircumstances {
+  double speed = 0.0;  // m/s
   std::uint32_t quality = 0;
   std::uint16_t hazards = 0;
   double low_encounter_share = 0.0;  // of the wave energy, where loads are forced to zero there; else 0

@@ -90,9 +90,10 @@ inline constexpr std::size_t kMaxOffsets = capacity::Profile::kMaxOffsets;
 inline constexpr std::size_t kMaxPoints = capacity::Profile::kMaxPoints;
 inline constexpr std::size_t kMaxSlammingStations = capacity::Profile::kMaxSlammingStations;
 inline constexpr std::size_t kMaxFreeboardPoints = capacity::Profile::kMaxFreeboardPoints;
-// Response channels: six motions, three accelerations at each point, relative motion at each station and
-// point.
-inline constexpr std::size_t kMaxChannels = 6 + 3 * kMaxPoints + kMaxSlammingStations + kMaxFreeboardPoints;
+// Where the water moves against the ship: slamming stations, freeboard points and the propeller.
+inline constexpr std::size_t kMaxRelativeChannels = kMaxSlammingStations + kMaxFreeboardPoints + 1;
+// Response channels: six motions, three accelerations at each point, relative motion.
+inline constexpr std::size_t kMaxChannels = 6 + 3 * kMaxPoints + kMaxRelativeChannels;
 
 inline constexpr std::size_t kMaxSpeeds = capacity::Profile::kMaxSpeeds;
 inline constexpr std::size_t kNumDirections = capacity::Profile::kNumDirections;

@@ -57,6 +57,21 @@ void square(const std::array<double, N>& re, const std::array<double, N>& im, st
   }
 }
 
+template <std::size_t N>
+void multiply_by_square(const std::array<double, N>& factor, std::size_t n, std::array<double, N>& out) {
+  for (std::size_t f = 0; f < n; ++f) {
+    out[f] *= factor[f] * factor[f];
+  }
+}
+
+void raise_by_swell_up(const DynamicSwellUp& swell_up, double speed, const NodeValues& omega_e, std::size_t n,
+                       NodeValues& out) {
+  for (std::size_t f = 0; f < n; ++f) {
+    const double factor = swell_up.factor(speed, omega_e[f]);
+    out[f] *= factor * factor;
+  }
+}
+
 // Between the frequencies, on a straight line.
 void to_points(const TransferFunctions& transfer, const RollPeak& peak, const MotionRow::ByFrequency& values,
                PointValues& out) {
@@ -139,6 +154,12 @@ void node_energies(const TransferFunctions& transfer, std::size_t speed, std::si
                is_damped ? damped->im[mode / 2] : row.im[mode], n, re, im);
   }
   square(re, im, n, out);
+  if (channel.form.wave > 0.0) {
+    raise_by_swell_up(channel.dynamic_swell_up, transfer.speeds[speed], encounters.frequency, n, out);
+  }
+  if (channel.is_rate) {
+    multiply_by_square(encounters.frequency, n, out);
+  }
 }
 
 void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
@@ -169,6 +190,9 @@ void point_energies(const TransferFunctions& transfer, std::size_t speed, std::s
     add_motion(c, omega_e, re_of, im_of, peak.num_points, re, im);
   }
   square(re, im, peak.num_points, out);
+  if (channel.is_rate) {
+    multiply_by_square(omega_e, peak.num_points, out);
+  }
 }
 
 void list_point_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,

@@ -1,7 +1,7 @@
 // Shipping of water: the relative motion at a freeboard point exceeds the freeboard.
 //
 // P per wave encounter = exp(-f^2 / 2 m0), m0 of the vertical relative motion.
-// Assumes: geometrical freeboard; static and dynamic swell-up are named by [Journee1992] §3 and left out.
+// Static swell-up lessens the freeboard, dynamic swell-up raises m0: swell_up.hpp.
 #pragma once
 
 namespace quickstrip {

@@ -13,6 +13,8 @@ double factor_of(Moment moment, double omega_e, double low) {
       return std::fabs(omega_e);
     case Moment::kSecond:
       return omega_e * omega_e;
+    case Moment::kFourth:
+      return omega_e * omega_e * omega_e * omega_e;
     case Moment::kLowEncounter:
       return low;
   }

@@ -12,9 +12,9 @@
 
 namespace quickstrip {
 
-/// What of |H|^2 is integrated: itself, times |omega_e|, times omega_e^2, or its part below the
+/// What of |H|^2 is integrated: itself, times |omega_e|, omega_e^2 or omega_e^4, or its part below the
 /// encounter-frequency floor.
-enum class Moment : std::uint8_t { kZeroth, kFirst, kSecond, kLowEncounter };
+enum class Moment : std::uint8_t { kZeroth, kFirst, kSecond, kFourth, kLowEncounter };
 
 struct ChannelValues {
   NodeValues nodes{};

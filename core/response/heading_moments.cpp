@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/check.hpp"
 #include "core/base/static_vector.hpp"
@@ -10,6 +11,7 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kHalf = kNumDirections / 2;
+static_assert(kHalf % 2 == 0);
 // Of the largest variance on any heading: below it lies the rounding of the transforms.
 constexpr double kRounding = 1e-13;
 
@@ -30,13 +32,23 @@ using Integrals = std::array<double, kBandWidth>;
 
 void list_values_at(const Subject& subject, std::size_t m, const SweepWorkspace& work,
                     ChannelValues& values) {
-  if (subject.channel != nullptr) {
-    const std::size_t solved_m = solved_direction(m);
-    const LateralMotions* const damped =
-        subject.level > 0 ? &work.damped[solved_m][subject.level - 1] : nullptr;
-    list_values(subject.transfer, subject.speed, m, *subject.channel, damped, work.encounters[solved_m],
-                work.wave[subject.wave][solved_m], values);
+  if (subject.channel == nullptr) {
+    return;
   }
+  const std::size_t solved_m = solved_direction(m);
+  const auto& waves = work.wave[subject.wave];
+  const bool is_ahead = solved_m > kHalf / 2;
+  const IncidentWave* wave = &waves[is_ahead ? kHalf - solved_m : solved_m];
+  IncidentWave conjugate;
+  if (is_ahead && subject.channel->form.wave > 0.0) {
+    conjugate.re = wave->re;
+    std::transform(wave->im.begin(), wave->im.end(), conjugate.im.begin(), std::negate<>());
+    wave = &conjugate;
+  }
+  const LateralMotions* const damped =
+      subject.level > 0 ? &work.damped[solved_m][subject.level - 1] : nullptr;
+  list_values(subject.transfer, subject.speed, m, *subject.channel, damped, work.encounters[solved_m], *wave,
+              values);
 }
 
 void integrate_at(const Subject& subject, std::size_t m, Moment moment, const ChannelValues& values,
@@ -242,7 +254,7 @@ void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const 
     }
     QS_CHECK(num_waves < work.wave.size());
     work.wave_of[c] = num_waves;
-    for (std::size_t m = 0; m <= kHalf; ++m) {
+    for (std::size_t m = 0; m <= kHalf / 2; ++m) {
       list_incident_wave(transfer, m, watch.channels[c].position, work.wave[num_waves][m]);
     }
     ++num_waves;

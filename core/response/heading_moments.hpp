@@ -58,8 +58,9 @@ struct HeadingMoments {
 
 /// Scratch; what does not depend on speed is filled by prepare().
 struct SweepWorkspace {
-  std::array<std::array<IncidentWave, kNumSolvedDirections>, kMaxSlammingStations + kMaxFreeboardPoints>
-      wave{};
+  // By channel of relative motion and direction of 0 ... 90 degrees: on the centre line the wave of the
+  // supplementary angle is the complex conjugate.
+  std::array<std::array<IncidentWave, kNumDirections / 4 + 1>, kMaxRelativeChannels> wave{};
   std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
   std::array<Encounters, kNumSolvedDirections> encounters{};
   std::array<HalfCircle<kBandWidth>, 3> even{};  // integrals by moment, direction and band

@@ -117,6 +117,9 @@ void add_channel(const Course& course, const Direction& direction, std::size_t c
   }
   out.m1 += all(Moment::kFirst);
   out.m2 += all(Moment::kSecond);
+  if (out.m4 != kNoMoment) {
+    out.m4 += all(Moment::kFourth);
+  }
   if (direction.encounters.has_low) {
     out.m0_low_encounter += all(Moment::kLowEncounter);
   }
@@ -215,7 +218,7 @@ std::size_t wave_direction(std::size_t h, std::size_t m) {
 
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
-                                          std::span<ResponseMoments> out) {
+                                          std::span<ResponseMoments> out, const ChannelSet* with_fourth) {
   if (out.size() != watch.channels.size() || sea.num_frequencies != transfer.num_frequencies) {
     return Error::kTooMany;
   }
@@ -226,7 +229,10 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
   if (!bracket) {
     return bracket.error();
   }
-  std::fill(out.begin(), out.end(), ResponseMoments{});
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    out[c] = ResponseMoments{};
+    out[c].m4 = with_fourth == nullptr || (*with_fourth)[c] ? 0.0 : kNoMoment;
+  }
   RollDampingInUse damping;
   if (bracket->part < 1.0) {
     add_course({transfer, bracket->lower, watch, sea, heading}, 1.0 - bracket->part, out, damping);
@@ -239,6 +245,7 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
     moments.m0 = at_least_zero(moments.m0);
     moments.m1 = at_least_zero(moments.m1);
     moments.m2 = at_least_zero(moments.m2);
+    moments.m4 = moments.m4 == kNoMoment ? kNoMoment : at_least_zero(moments.m4);
     for (double& part : moments.m0_by_system) {
       part = at_least_zero(part);
     }

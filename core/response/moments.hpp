@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "core/base/angles.hpp"
@@ -23,11 +24,18 @@
 
 namespace quickstrip {
 
-/// In the unit of the channel squared, times 1/s for each order.
+inline constexpr double kNoMoment = -std::numeric_limits<double>::infinity();  // not asked for
+
+/// By channel of a watch.
+using ChannelSet = std::array<bool, kMaxChannels>;
+
+/// In the unit of the channel squared, times 1/s for each order. m4 rests on the short waves: of a relative
+/// motion, which follows them, it grows with the logarithm of the highest wave frequency.
 struct ResponseMoments {
   double m0 = 0.0;
   double m1 = 0.0;
   double m2 = 0.0;
+  double m4 = kNoMoment;          // of channels for which it is asked
   double m0_low_encounter = 0.0;  // the part of m0 below the encounter-frequency floor
   std::array<double, kMaxWaveSystems> m0_by_system{};
 };
@@ -40,10 +48,11 @@ struct RollDampingInUse {
 
 /// Returns the roll damping that the moments rest on. out: one per channel of the watch. Errors:
 /// kSpeedOutOfGrid, kNotFinite; kTooMany when the sea and the transfer functions have different frequencies
-/// or `out` another length than the watch.
+/// or `out` another length than the watch. `with_fourth`: the channels of which m4 is wanted; null: all.
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
-                                          std::span<ResponseMoments> out);
+                                          std::span<ResponseMoments> out,
+                                          const ChannelSet* with_fourth = nullptr);
 
 /// The share of the wave energy itself that meets the ship below the encounter-frequency floor, in [0, 1].
 /// Needed where loads are forced to zero there ([Journee1992] §2): the variances then do not show what they

@@ -1,4 +1,4 @@
-// What can be watched on board.
+// What can be watched on board, and what is computed ashore besides.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,24 @@ enum class Quantity : std::uint8_t {
   kVerticalAcceleration,  // m/s2, at point `place`
   kSlamming,              // at slamming station `place`
   kDeckWetness,           // at freeboard point `place`
+  kPropellerEmergence,    // of the blade tip
+  // Not in the watch on board, nor on the wire (response/local_watch.hpp):
+  kDisplacementX,
+  kDisplacementY,
+  kDisplacementZ,  // m, at a point
+  kVelocityX,
+  kVelocityY,
+  kVelocityZ,         // m/s, at a point
+  kRelativeMotion,    // m, vertical, at a station
+  kRelativeVelocity,  // m/s
 };
+
+inline constexpr Quantity kLastWatched = Quantity::kPropellerEmergence;
+
+/// Counted: the water passes a level.
+constexpr bool is_event(Quantity quantity) {
+  return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness ||
+         quantity == Quantity::kPropellerEmergence;
+}
 
 }  // namespace quickstrip

@@ -1,8 +1,7 @@
 // Vertical motion of the water relative to a point of the ship: s = zeta - Z, positive when the water rises
 // against the hull.
 //
-// Assumes: the undisturbed incident wave; neither the ship's own waves nor swell-up ([Journee1992] §3 names
-// both and leaves them out); on fine hulls at speed they add some 10 to 30 % at the bow (Blok, Huisman 1984).
+// Assumes: the undisturbed incident wave; the ship's own waves, swell-up, are a factor on it (swell_up.hpp).
 // Cost: one sine and cosine.
 // Source: NOTATION.md.
 #pragma once

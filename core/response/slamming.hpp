@@ -2,8 +2,8 @@
 //
 // P per wave encounter = exp(-(D^2 / 2 m0 + v^2 / 2 m2)), with m0, m2 of the vertical relative motion and
 // velocity at the station (independent, both Rayleigh).
-// Assumes: no swell-up; the threshold was found on a ship of 520 ft and is scaled by Froude.
-// Source: [Ochi1964], [Journee1992] §3.
+// Assumes: no deeper draught by the bow wave (swell_up.hpp: no credit); the threshold was found on a ship of
+// 520 ft and is scaled by Froude. Source: [Ochi1964], [Journee1992] §3.
 #pragma once
 
 namespace quickstrip {

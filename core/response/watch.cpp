@@ -59,7 +59,8 @@ Status list_slamming(const Hull& hull, const Loading& loading, const Position& g
                                      .place = static_cast<std::uint8_t>(i),
                                      .position = {station.x - g.x, 0.0, *keel - g.z},
                                      .level = std::max(draught, 0.0),
-                                     .threshold_velocity = velocity}));
+                                     .threshold_velocity = velocity,
+                                     .dynamic_swell_up = dynamic_swell_up(out.swell_up, station.x)}));
   }
   return {};
 }
@@ -74,8 +75,26 @@ Status list_freeboard(const Hull& hull, const Loading& loading, const Position& 
     QS_CHECK(out.channels.push_back({.quantity = Quantity::kDeckWetness,
                                      .place = static_cast<std::uint8_t>(i),
                                      .position = {point.x - g.x, 0.0, point.height - g.z},
-                                     .level = freeboard}));
+                                     .level = freeboard,
+                                     .dynamic_swell_up = dynamic_swell_up(out.swell_up, point.x),
+                                     .static_swell_up = static_swell_up(out.swell_up, point.x)}));
   }
+  return {};
+}
+
+Status list_propeller(const Hull& hull, const Loading& loading, const Position& g, Watch& out) {
+  if (!hull.propeller) {
+    return {};
+  }
+  const double x = hull.propeller->x;
+  const double depth = waterline_height(hull, loading, x) - hull.propeller->tip_z;
+  if (!std::isfinite(depth)) {
+    return Error::kNotFinite;
+  }
+  QS_CHECK(out.channels.push_back({.quantity = Quantity::kPropellerEmergence,
+                                   .position = {x - g.x, 0.0, hull.propeller->tip_z - g.z},
+                                   .level = std::max(depth, 0.0),
+                                   .dynamic_swell_up = dynamic_swell_up(out.swell_up, x)}));
   return {};
 }
 
@@ -88,53 +107,73 @@ bool all_finite(const Watch& watch) {
 }
 
 bool is_relative_motion(Quantity quantity) {
-  return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness;
+  return is_event(quantity) || quantity == Quantity::kRelativeMotion ||
+         quantity == Quantity::kRelativeVelocity;
 }
 
-// What the channel is when only these motions are there: no incident wave.
-double response_to_motions(const Channel& channel, const MotionTransfer& motions, double gravity) {
-  if (channel.quantity <= Quantity::kYaw) {
-    return motions.motion[static_cast<std::size_t>(channel.quantity)].real();
+// What is meant when only these motions are there: no incident wave.
+double response_to_motions(Quantity quantity, const Position& position, const MotionTransfer& motions,
+                           double gravity) {
+  if (quantity <= Quantity::kYaw) {
+    return motions.motion[static_cast<std::size_t>(quantity)].real();
   }
-  if (is_relative_motion(channel.quantity)) {
+  if (is_relative_motion(quantity)) {
     constexpr double kWaveNumber = 0.0;  // of any wave: it goes out again
     const EncounterAngle mu{0.0};
-    return (relative_motion(motions, channel.position, kWaveNumber, mu) -
-            incident_wave(channel.position, kWaveNumber, mu))
+    return (relative_motion(motions, position, kWaveNumber, mu) - incident_wave(position, kWaveNumber, mu))
         .real();
   }
-  const PointMotion a = point_acceleration(motions, channel.position, gravity);
-  switch (channel.quantity) {
+  const PointMotion displacement = point_displacement(motions, position);
+  const PointMotion acceleration = point_acceleration(motions, position, gravity);
+  switch (quantity) {
     case Quantity::kLongitudinalAcceleration:
-      return a.x.real();
+      return acceleration.x.real();
     case Quantity::kLateralAcceleration:
-      return a.y.real();
+      return acceleration.y.real();
+    case Quantity::kVerticalAcceleration:
+      return acceleration.z.real();
+    case Quantity::kDisplacementX:
+    case Quantity::kVelocityX:
+      return displacement.x.real();
+    case Quantity::kDisplacementY:
+    case Quantity::kVelocityY:
+      return displacement.y.real();
     default:
-      return a.z.real();
+      return displacement.z.real();
   }
-}
-
-// Everything is linear: one motion at a time, at omega_e of 0 and of 1 rad/s.
-LinearForm linear_form(const Channel& channel, double gravity) {
-  LinearForm form{.wave = is_relative_motion(channel.quantity) ? 1.0 : 0.0};
-  for (std::size_t j = 0; j < form.displacement.size(); ++j) {
-    MotionTransfer one;
-    one.motion[j] = 1.0;
-    form.displacement[j] = response_to_motions(channel, one, gravity);
-    one.encounter_frequency = 1.0;
-    form.acceleration[j] = response_to_motions(channel, one, gravity) - form.displacement[j];
-  }
-  return form;
 }
 
 }  // namespace
 
-Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatics& hydrostatics, Watch& out) {
+// Everything is linear: one motion at a time, at omega_e of 0 and of 1 rad/s.
+LinearForm linear_form(Quantity quantity, const Position& position, double gravity) {
+  LinearForm form{.wave = is_relative_motion(quantity) ? 1.0 : 0.0};
+  for (std::size_t j = 0; j < form.displacement.size(); ++j) {
+    MotionTransfer one;
+    one.motion[j] = 1.0;
+    form.displacement[j] = response_to_motions(quantity, position, one, gravity);
+    one.encounter_frequency = 1.0;
+    form.acceleration[j] = response_to_motions(quantity, position, one, gravity) - form.displacement[j];
+  }
+  return form;
+}
+
+double level_at(const Channel& channel, double speed) {
+  return std::max(channel.level - channel.static_swell_up.rise(speed), 0.0);
+}
+
+Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatics& hydrostatics,
+                     SwellUp swell_up, Watch& out) {
   out.channels.clear();
   out.gravity = loading.gravity;
   if (!(hull.lpp > 0.0) || !(loading.gravity > 0.0)) {
     return Error::kOutOfRange;
   }
+  const Result<SwellUpModel> model = swell_up_model(swell_up, hull, loading, hydrostatics);
+  if (!model) {
+    return model.error();
+  }
+  out.swell_up = *model;
   // G lies above the centre of buoyancy in x (it floats at these draughts) and at the solid KG (contract §2).
   const Position g{hydrostatics.lcb, 0.0, hydrostatics.kg};
   for (const Quantity motion : {Quantity::kSurge, Quantity::kSway, Quantity::kHeave, Quantity::kRoll,
@@ -148,8 +187,11 @@ Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatic
   if (const Status status = list_freeboard(hull, loading, g, out); !status) {
     return status;
   }
+  if (const Status status = list_propeller(hull, loading, g, out); !status) {
+    return status;
+  }
   for (Channel& channel : out.channels) {
-    channel.form = linear_form(channel, loading.gravity);
+    channel.form = linear_form(channel.quantity, channel.position, loading.gravity);
   }
   return all_finite(out) ? Status() : Status(Error::kNotFinite);
 }

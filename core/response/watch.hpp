@@ -1,5 +1,5 @@
 // The watch: every response channel of the loaded hull. Six motions of G, three accelerations at each point,
-// and the vertical relative motion at each slamming station and freeboard point.
+// and the vertical relative motion at each slamming station, at each freeboard point and at the propeller.
 //
 // Built when the loading changes. A channel is a linear functional of the six motions and the incident wave;
 // what it answers to waves is in channel_energy.hpp.
@@ -17,6 +17,7 @@
 #include "core/hull/hydrostatics.hpp"
 #include "core/response/point_motion.hpp"
 #include "core/response/quantity.hpp"
+#include "core/response/swell_up.hpp"
 
 namespace quickstrip {
 
@@ -33,19 +34,33 @@ struct Channel {
   std::uint8_t place = 0;              // index into the hull's points, slamming stations or freeboard points
   PointRole role = PointRole::kOther;  // of the point, for accelerations
   Position position{};                 // relative to G; the origin for motions
-  double level = 0.0;  // m: draught of the slamming station, freeboard of the freeboard point; >= 0
+  // m, >= 0, at rest: draught of the slamming station, freeboard of the freeboard point, depth of the blade
+  // tip
+  double level = 0.0;
   double threshold_velocity = 0.0;  // m/s; slamming only
   LinearForm form{};
+  bool is_rate = false;               // the velocity of what `form` says: |H|^2 times omega_e^2
+  DynamicSwellUp dynamic_swell_up{};  // of relative motion
+  StaticSwellUp static_swell_up{};    // of a freeboard
 };
 
 struct Watch {
   StaticVector<Channel, kMaxChannels> channels;
   double gravity = kStandardGravity;
+  SwellUpModel swell_up;
 };
 
-/// Order: motions, accelerations (x, y, z) point by point, slamming stations, freeboard points.
-/// Errors: kNotFinite; kOutOfRange for a slamming station off the hull or a freeboard that is not positive.
-Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatics& hydrostatics, Watch& out);
+/// Order: motions, accelerations (x, y, z) point by point, slamming stations, freeboard points, propeller.
+/// Errors: kNotFinite; kOutOfRange for a slamming station off the hull or a freeboard that is not positive. A
+/// propeller that is out of the water at rest has level 0: it always is.
+Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatics& hydrostatics,
+                     SwellUp swell_up, Watch& out);
+
+/// Of an event at the ship's speed: less than at rest by the bow wave, >= 0 [m].
+double level_at(const Channel& channel, double speed);
+
+/// The form of a channel of this quantity at this position; gravity > 0 [m/s2].
+LinearForm linear_form(Quantity quantity, const Position& position, double gravity);
 
 /// Index into channels, or channels.size() when there is no such channel.
 std::size_t find_channel(const Watch& watch, Quantity quantity, std::uint8_t place);

@@ -35,6 +35,11 @@ enum class LowEncounterRule : std::uint8_t {
   kPaper,  // wave loads forced to zero there [Journee1992] §2, and flagged
 };
 
+enum class SwellUp : std::uint8_t {
+  kOnboard,  // relative motion raised by the ship's own waves, response/swell_up.hpp
+  kOff,      // the undisturbed wave and the geometrical freeboard [Journee1992] §3: the unsafe side
+};
+
 struct StripMethod {
   StripVariant variant = StripVariant::kOrdinary;
   bool end_terms = true;  // the jump of added mass at the hull's ends (matters for transoms)
@@ -43,11 +48,16 @@ struct StripMethod {
   LowEncounterRule low_encounter = LowEncounterRule::kFloor;
   WaveContour contour = WaveContour::kOffsets;
   BeamLoads beam_loads = BeamLoads::kRadiatedWave;
+  SwellUp swell_up = SwellUp::kOnboard;
 };
 
 /// The paper's own setting, `--paper`.
-inline constexpr StripMethod kPaperMethod{StripVariant::kOrdinary,    true,
-                                          DiffractionLoads::kClassic, SurgeTerms::kFull,
-                                          LowEncounterRule::kPaper,   WaveContour::kLewis};
+inline constexpr StripMethod kPaperMethod{.variant = StripVariant::kOrdinary,
+                                          .end_terms = true,
+                                          .loads = DiffractionLoads::kClassic,
+                                          .surge = SurgeTerms::kFull,
+                                          .low_encounter = LowEncounterRule::kPaper,
+                                          .contour = WaveContour::kLewis,
+                                          .swell_up = SwellUp::kOff};
 
 }  // namespace quickstrip

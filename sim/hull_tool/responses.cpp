@@ -129,8 +129,9 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
 void run(const Options& options) {
   const StripShip ship = load_strip_ship(options.strip);
   const auto solved = std::make_unique<Solved>();
-  refuse(ship.floating->file, list_channels(ship.floating->hull, ship.floating->loading,
-                                            ship.floating->hydrostatics, solved->watch));
+  refuse(ship.floating->file,
+         list_channels(ship.floating->hull, ship.floating->loading, ship.floating->hydrostatics,
+                       ship.loaded->method.swell_up, solved->watch));
   Csv csv("speed_kn,mu_deg,quantity,where,unit,rms,significant,t1_s,t2_s,probability,per_hour,quality");
   for (const double speed_kn : options.speeds_kn) {
     add_rows(options, ship, speed_kn, *solved, csv);

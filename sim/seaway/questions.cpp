@@ -33,22 +33,25 @@ void add_both_sides(std::size_t c, const QuantityResponse& said, const std::vect
 
 }  // namespace
 
-std::vector<StatedCount> questions_of(const Watch& watch, const Stated& stated, const Levels& levels) {
+std::vector<StatedCount> questions_of(const Watch& watch, double speed, const Stated& stated,
+                                      const Levels& levels) {
   std::vector<StatedCount> out;
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
     const Channel& channel = watch.channels[c];
     const QuantityResponse& said = stated.quantities[c];
+    const double level = level_at(channel, speed);
     constexpr double kStill = 1e-9;  // rad or m/s2
     if (channel.quantity == Quantity::kRoll && said.rms > kStill) {
       add_both_sides(c, said, levels_for(levels.roll, levels, said.rms), out);
     } else if (is_acceleration(channel.quantity) && said.rms > kStill) {
       add_both_sides(c, said, levels_for(levels.accelerations, levels, said.rms), out);
     } else if (channel.quantity == Quantity::kSlamming) {
-      out.push_back({{c, Passing::kReentry, channel.level, channel.threshold_velocity},
-                     said.probability,
-                     said.per_hour});
+      out.push_back(
+          {{c, Passing::kReentry, level, channel.threshold_velocity}, said.probability, said.per_hour});
     } else if (channel.quantity == Quantity::kDeckWetness) {
-      out.push_back({{c, Passing::kAbove, channel.level, 0.0}, said.probability, said.per_hour});
+      out.push_back({{c, Passing::kAbove, level, 0.0}, said.probability, said.per_hour});
+    } else if (channel.quantity == Quantity::kPropellerEmergence) {
+      out.push_back({{c, Passing::kReentry, level, 0.0}, said.probability, said.per_hour});
     }
   }
   return out;

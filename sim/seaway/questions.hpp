@@ -31,7 +31,8 @@ struct StatedCount {
 };
 
 /// Quantities that do not move are left out.
-std::vector<StatedCount> questions_of(const Watch& watch, const Stated& stated, const Levels& levels);
+std::vector<StatedCount> questions_of(const Watch& watch, double speed, const Stated& stated,
+                                      const Levels& levels);
 
 std::vector<Question> only_questions(const std::vector<StatedCount>& counts);
 

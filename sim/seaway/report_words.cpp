@@ -36,6 +36,10 @@ QuantityWords quantity_words(Quantity quantity) {
       return {"slamming", "m"};
     case Quantity::kDeckWetness:
       return {"deck_wetness", "m"};
+    case Quantity::kPropellerEmergence:
+      return {"propeller_emergence", "m"};
+    default:  // not in the watch
+      break;
   }
   return {"unknown", ""};
 }
@@ -50,6 +54,8 @@ std::string place_words(const Channel& channel, const Hull& hull) {
       return std::string(hull.slamming[channel.place].name.view());
     case Quantity::kDeckWetness:
       return std::string(hull.freeboard[channel.place].name.view());
+    case Quantity::kPropellerEmergence:
+      return "propeller";
     default:
       return "G";
   }

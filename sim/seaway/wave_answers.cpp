@@ -121,6 +121,7 @@ Result<WaveAnswers> wave_answers(const LoadedHull& hull, const Watch& watch, con
                                  const CellGrid& grid, std::span<const WaveCell> cells) {
   WaveAnswers out;
   out.step = grid.step;
+  out.speed = grid.speed;
   const std::vector<double> places = list_wave_rows(watch, out);
   out.bin.reserve(cells.size());
   out.re.reserve(cells.size() * out.num_rows);
@@ -189,7 +190,7 @@ void channel_amplitudes(const WaveAnswers& answers, const BinAmplitudes& block, 
         sum += factor * block.value(n, j);
       }
     }
-    out[n] = sum;
+    out[n] = channel.dynamic_swell_up.factor(answers.speed, omega) * sum;
   }
 }
 
@@ -207,7 +208,8 @@ SpectralMoments channel_moments(const WaveAnswers& answers, const Channel& chann
     for (std::size_t j = 0; j < 6; ++j) {
       sum += (form.displacement[j] + omega2 * form.acceleration[j]) * value(j);
     }
-    const double energy = std::norm(sum);
+    const double factor = channel.dynamic_swell_up.factor(answers.speed, std::sqrt(omega2));
+    const double energy = factor * factor * std::norm(sum);
     out.m0 += energy;
     out.m2 += omega2 * energy;
     out.m4 += omega2 * omega2 * energy;

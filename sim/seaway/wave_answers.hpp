@@ -59,6 +59,7 @@ struct WaveAnswers {
   std::size_t num_rows = 0;
   std::size_t num_bins = 0;  // bins above are empty
   double step = 0.0;         // d_omega [rad/s]
+  double speed = 0.0;        // of the ship [m/s]
   std::vector<std::uint32_t> bin;
   std::vector<float> re;  // by cell, then row
   std::vector<float> im;

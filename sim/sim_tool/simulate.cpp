@@ -131,7 +131,8 @@ void run(SimulateOptions options) {
   const StripShip ship = load_strip_ship(options.strip);
   const Hull& hull = ship.floating->hull;
   Watch watch;
-  if (const Status status = list_channels(hull, ship.floating->loading, ship.floating->hydrostatics, watch);
+  if (const Status status = list_channels(hull, ship.floating->loading, ship.floating->hydrostatics,
+                                          ship.loaded->method.swell_up, watch);
       !status) {
     refuse(options, status.error());
   }
@@ -153,7 +154,7 @@ void run(SimulateOptions options) {
   if (!said) {
     refuse(options, said.error());
   }
-  report.counts = questions_of(watch, *said, levels_of(options));
+  report.counts = questions_of(watch, plan.speed, *said, levels_of(options));
   report.hull = &hull;
   report.watch = &watch;
   report.simulation = &simulation;

@@ -75,7 +75,7 @@ TEST_F(AdvisorStep, GivesTheVerdictOnThePresentStateAndOnTheWholeGrid) {
   EXPECT_NE(output.advice.present.verdict, Verdict::kUnknown);
   EXPECT_NEAR(output.hs, 5.0, 1e-9);
   EXPECT_EQ(output.num_systems, 1u);
-  EXPECT_EQ(output.present.quantities.size(), 6u + 2u * 3u + 2u);
+  EXPECT_EQ(output.present.quantities.size(), 6u + 2u * 3u + 3u);
 }
 
 TEST_F(AdvisorStep, AtACellOfTheGridThePresentStateIsThatCell) {

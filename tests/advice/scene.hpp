@@ -23,7 +23,7 @@ class Scene {
   }
   void bind() {
     ASSERT_TRUE(check_criteria(criteria, hull).ok());
-    ASSERT_TRUE(list_channels(hull, hull.loading, box_hydrostatics(), watch).ok());
+    ASSERT_TRUE(list_channels(hull, hull.loading, box_hydrostatics(), SwellUp::kOff, watch).ok());
     channels = bind_criteria(criteria, watch);
   }
   [[nodiscard]] GridInputs inputs() const {

@@ -161,7 +161,7 @@ struct Sweep {
     }
     const auto work = std::make_unique<TransferWorkspace>();
     is_ready = solve_transfer_functions(loaded, speeds, omega, *work, transfer).ok() &&
-               list_channels(at.hull, at.hull.loading, loaded.hydrostatics, watch).ok();
+               list_channels(at.hull, at.hull.loading, loaded.hydrostatics, SwellUp::kOnboard, watch).ok();
     channels = bind_criteria(criteria, watch);
     is_ready = is_ready && (at.inputs.spectrum != nullptr ? place_on_grid(*at.inputs.spectrum, omega, sea)
                                                           : place_on_grid(at.sea, omega, sea));

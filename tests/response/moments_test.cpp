@@ -16,7 +16,8 @@ class Moments : public testing::Test {
  protected:
   void SetUp() override {
     synthetic::fill_box(*hull_);
-    ASSERT_TRUE(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).ok());
+    ASSERT_TRUE(
+        list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), SwellUp::kOff, watch_).ok());
     synthetic::fill(*transfer_, 9, 1.0, 40, synthetic::shiplike);
   }
   std::vector<ResponseMoments> at(const SeaEnergy& sea, double heading_deg, double speed) {
@@ -54,7 +55,9 @@ TEST_F(Moments, OfOneWaveAreItsEnergyTimesPowersOfTheEncounterFrequency) {
   EXPECT_NEAR(heave.m0, 0.5 * h2, kSingle * h2);
   EXPECT_NEAR(heave.m1, 0.5 * h2 * omega_e, kSingle * h2);
   EXPECT_NEAR(heave.m2, 0.5 * h2 * omega_e * omega_e, kSingle * h2);
+  EXPECT_NEAR(heave.m4, 0.5 * h2 * std::pow(omega_e, 4), kSingle * h2);
   EXPECT_NEAR(zero_crossing_period(heave.m0, heave.m2), kTwoPi / omega_e, 1e-12);
+  EXPECT_NEAR(crest_period(heave.m2, heave.m4), kTwoPi / omega_e, 1e-12);
 }
 
 TEST_F(Moments, AreThoseOfTheRightSideForWavesFromStarboardAndFromPort) {
@@ -114,7 +117,8 @@ TEST_F(Moments, AreTheSameOnBothSidesOfASymmetricShip) {
   synthetic::add_system(*other, *transfer_, 3.0, 8.0, 66, 0);
   const auto starboard = at(*sea_, 0.0, 5.0);
   hull_->points[0].y = -hull_->points[0].y;
-  ASSERT_TRUE(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).ok());
+  ASSERT_TRUE(
+      list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), SwellUp::kOff, watch_).ok());
   const auto port = at(*other, 0.0, 5.0);
   for (std::size_t c = 0; c < starboard.size(); ++c) {
     EXPECT_EQ(starboard[c].m0, port[c].m0) << c;  // bit for bit: only signs differ
@@ -179,18 +183,21 @@ TEST_F(Moments, GiveAKeelThatIsOutOfTheWaterAtRestNoDraught) {
       ASSERT_TRUE(station.offsets.push_back(offset));
     }
   }
-  ASSERT_TRUE(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).ok());
+  ASSERT_TRUE(
+      list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), SwellUp::kOff, watch_).ok());
   EXPECT_EQ(watch_.channels[channel(Quantity::kSlamming)].level, 0.0);
 }
 
 TEST_F(Moments, RefuseAStationOffTheHullAndADeckUnderWater) {
   hull_->slamming[0].x = 101.0;
-  EXPECT_EQ(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).error(),
-            Error::kOutOfRange);
+  EXPECT_EQ(
+      list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), SwellUp::kOff, watch_).error(),
+      Error::kOutOfRange);
   synthetic::fill_box(*hull_);
   hull_->freeboard[0].height = 3.9;
-  EXPECT_EQ(list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), watch_).error(),
-            Error::kOutOfRange);
+  EXPECT_EQ(
+      list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), SwellUp::kOff, watch_).error(),
+      Error::kOutOfRange);
 }
 
 }  // namespace

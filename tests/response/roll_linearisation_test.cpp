@@ -62,7 +62,7 @@ class LinearisedS175 : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(load(hull_, hull_.loading, {}, *ship_).ok());
-    ASSERT_TRUE(list_channels(hull_, hull_.loading, ship_->hydrostatics, watch_).ok());
+    ASSERT_TRUE(list_channels(hull_, hull_.loading, ship_->hydrostatics, SwellUp::kOff, watch_).ok());
     roll_ = find_channel(watch_, Quantity::kRoll, 0);
   }
 

@@ -30,7 +30,7 @@ TEST(Promises, CountsAgreeWithStatementsAndIntervalsHoldThem) {
                       {Quantity::kLateralAcceleration, 0},
                       {Quantity::kSlamming, 0},
                       {Quantity::kDeckWetness, 0}});
-    const std::vector<StatedCount> counts = questions_of(scene.watch, scene.said(), {});
+    const std::vector<StatedCount> counts = questions_of(scene.watch, scene.plan.speed, scene.said(), {});
     Simulation simulation = scene.simulation();
     const std::vector<RepeatedCount> repeated = repeat_runs(simulation, scene.watch, counts, 1, kRuns);
     const Coverage coverage = coverage_of(counts, repeated);

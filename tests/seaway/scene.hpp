@@ -28,7 +28,7 @@ class Scene {
   Scene(double hs, double t1, double mu_deg, double spreading_deg, double speed_kn)
       : hull(std::make_unique<Hull>(test::s175())), loaded(std::make_unique<LoadedHull>()) {
     QS_CHECK(load(*hull, hull->loading, {}, *loaded).ok());
-    QS_CHECK(list_channels(*hull, hull->loading, loaded->hydrostatics, watch).ok());
+    QS_CHECK(list_channels(*hull, hull->loading, loaded->hydrostatics, SwellUp::kOff, watch).ok());
     QS_CHECK(sea.systems.push_back(wave_system(hs, t1, 180.0 - mu_deg, spreading_deg)));
     plan.speed = speed_kn * 1852.0 / 3600.0;
   }
