@@ -30,6 +30,9 @@ StripMethod MethodOptions::method() const {
   if (low_encounter) {
     method.low_encounter = *low_encounter == "floor" ? LowEncounterRule::kFloor : LowEncounterRule::kPaper;
   }
+  if (swell_up) {
+    method.swell_up = *swell_up == "onboard" ? SwellUp::kOnboard : SwellUp::kOff;
+  }
   return method;
 }
 
@@ -40,9 +43,12 @@ void add_method_options(CLI::App& command, MethodOptions& options) {
   add_choice(command, "--surge", options.surge, "full", "inertia-only", "surge coefficients");
   add_choice(command, "--low-encounter", options.low_encounter, "floor", "paper",
              "rule near zero encounter frequency");
+  add_choice(command, "--swell-up", options.swell_up, "onboard", "off",
+             "the ship's own waves in relative motion and freeboard (off: the unsafe side)");
   command
       .add_flag("--paper", options.paper,
-                "as [Journee1992]: ordinary, end terms on, classic, paper, pressures on Lewis contours")
+                "as [Journee1992]: ordinary, end terms on, classic, paper, pressures on Lewis contours, "
+                "swell-up off")
       ->group("METHOD");
 }
 

@@ -17,13 +17,14 @@ struct MethodOptions {
   std::optional<std::string> loads;
   std::optional<std::string> surge;
   std::optional<std::string> low_encounter;
+  std::optional<std::string> swell_up;
 
   /// --paper first, then what was named beside it; the defaults of StripMethod for the rest.
   [[nodiscard]] StripMethod method() const;
 };
 
 /// --method ordinary|modified  --end-terms on|off  --loads haskind|classic  --surge full|inertia-only
-/// --low-encounter floor|paper  --paper
+/// --low-encounter floor|paper  --swell-up onboard|off  --paper
 void add_method_options(CLI::App& command, MethodOptions& options);
 
 }  // namespace quickstrip

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/constants.hpp"
+#include "msgs/convert/quality_text.hpp"
 #include "msgs/convert/rim_units.hpp"
 #include "msgs/convert/units.hpp"
 
@@ -139,10 +140,11 @@ void add_notes(const Cell& cell, Sentence& out) {
   out.add("{}", (cell.hazards & kHazardFollowingUnwatched) != 0
                     ? ". Following sea: slow motions are not fully covered"
                     : "");
-  out.add("{}",
-          (cell.quality & kQualityExtremeMotion) != 0 ? ". Roll beyond 10° RMS: figures uncertain" : "");
-  out.add("{}", (cell.quality & kQualityFreeSurfaceUnknown) != 0 ? ". Free surfaces not known" : "");
-  out.add("{}", (cell.quality & kQualitySpeedOverGround) != 0 ? ". Speed over ground" : "");
+  for (const QualityWords& words : kQualityWords) {
+    if ((cell.quality & words.bit) != 0 && *words.bridge != '\0') {
+      out.add(". {}", words.bridge);
+    }
+  }
 }
 
 }  // namespace

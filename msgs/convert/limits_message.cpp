@@ -19,6 +19,8 @@ std::string_view place_name(const Hull& hull, Quantity quantity, std::uint8_t pl
       return place < hull.slamming.size() ? hull.slamming[place].name.view() : std::string_view();
     case Quantity::kDeckWetness:
       return place < hull.freeboard.size() ? hull.freeboard[place].name.view() : std::string_view();
+    case Quantity::kPropellerEmergence:
+      return hull.propeller ? std::string_view("propeller") : std::string_view();
     default:
       return "G";
   }

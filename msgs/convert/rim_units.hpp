@@ -18,7 +18,7 @@ enum class RimUnit : std::uint8_t {
   kPerHour = 4
 };
 
-/// Of rms and significant. Slamming and deck wetness: of the relative motion, metres.
+/// Of rms and significant. Events: of the relative motion, metres.
 constexpr RimUnit rim_unit(Quantity quantity) {
   switch (quantity) {
     case Quantity::kRoll:

@@ -156,7 +156,7 @@ Conversion to_own_ship(const own_ship_t& message, OwnShipReading& out) {
     reading.rate_of_turn = radians(message.rate_of_turn_deg_min) / kSecondsPerMinute;
   }
   if (has(message.valid, own_ship_t::VALID_DEPTH)) {
-    reading.water_depth = message.depth_m;
+    reading.ship.water_depth = message.depth_m;
   }
   out = reading;
   return {};

@@ -21,7 +21,6 @@ struct OwnShipReading {
   OwnShip ship;                        // what the advisor takes
   std::optional<double> course;        // over ground, compass [rad]
   std::optional<double> rate_of_turn;  // to starboard positive [rad/s]
-  std::optional<double> water_depth;   // from the surface [m]
 };
 
 constexpr SpeedKind speed_kind(const OwnShip& ship) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/check.hpp"
+#include "core/hull/hydrostatics.hpp"
 
 namespace quickstrip {
 namespace {
@@ -14,7 +15,9 @@ namespace {
 constexpr double kBeyondEnds = 0.2;       // [lpp]
 constexpr double kDefaultSlamming = 0.9;  // [lpp] from the aft perpendicular
 constexpr double kNoEdge = -1.0;
-constexpr NumberRange kHeights{0.0, 150.0, "m above the base line"};
+constexpr double kOverhang = 0.05;         // [lpp]
+constexpr double kWing = 0.1;              // [breadth]
+constexpr double kGreatestHeight = 150.0;  // m
 
 /// Name of a place; refused when a place before has it, because outputs are told apart by name.
 template <typename Places>
@@ -53,9 +56,9 @@ void read_points(const TomlTable& root, Hull& hull) {
     const double edge_z = foremost_deck_edge(hull, edge_x);
     const bool x_defaults = is_fp && !table.has("x_m");
     const bool z_defaults = is_fp && !table.has("z_m") && edge_z > 0.0;
-    point.x = x_defaults ? hull.lpp : table.number("x_m", along_the_ship(hull));
-    point.y = table.number_or("y_m", {-hull.breadth, hull.breadth, "m to port"}, 0.0);
-    point.z = z_defaults ? edge_z : table.number("z_m", kHeights);
+    point.x = x_defaults ? hull.lpp : table.number("x_m", on_the_ship(hull));
+    point.y = table.number_or("y_m", across_the_ship(hull), 0.0);
+    point.z = z_defaults ? edge_z : table.number("z_m", above_the_base(hull));
     has_fp = has_fp || is_fp;
     QS_CHECK(hull.points.push_back(point));
   }
@@ -75,7 +78,9 @@ void read_slamming(const TomlTable& root, Hull& hull) {
     table.allow_only({"name", "x_m"});
     SlammingStation station;
     station.name = unique_name(table, hull.slamming);
-    station.x = table.number("x_m", along_the_ship(hull));
+    // Its keel must be known.
+    station.x = table.number("x_m", {hull.stations.front().x, hull.stations.back().x,
+                                     "m from the aft perpendicular, between the first and the last station"});
     QS_CHECK(hull.slamming.push_back(station));
   }
   if (hull.slamming.empty()) {
@@ -89,10 +94,12 @@ void read_freeboard(const TomlTable& root, Hull& hull) {
     table.allow_only({"name", "x_m", "height_m"});
     FreeboardPoint point;
     point.name = unique_name(table, hull.freeboard);
-    point.x = table.number("x_m", along_the_ship(hull));
-    point.height = table.number("height_m", kHeights);
-    if (!(point.height > draught)) {
-      table.refuse("height_m", fmt::format("a deck edge above the draught, {:g} m, is wanted", draught));
+    point.x = table.number("x_m", on_the_ship(hull));
+    point.height = table.number("height_m", above_the_base(hull));
+    const double waterline = waterline_height(hull, hull.loading, point.x);
+    if (!(point.height > waterline)) {
+      table.refuse("height_m",
+                   fmt::format("a deck edge above the waterline there, {:g} m, is wanted", waterline));
     }
     QS_CHECK(hull.freeboard.push_back(point));
   }
@@ -106,8 +113,14 @@ void read_freeboard(const TomlTable& root, Hull& hull) {
 void read_propeller(const TomlTable& root, Hull& hull) {
   if (const auto table = root.optional_table("propeller")) {
     table->allow_only({"x_m", "tip_z_m"});
-    hull.propeller = Propeller{table->number("x_m", along_the_ship(hull)),
-                               table->number("tip_z_m", {-20.0, 40.0, "m above the base line"})};
+    const double x = table->number("x_m", on_the_ship(hull));
+    const double tip_z = table->number("tip_z_m", {-20.0, 40.0, "m above the base line"});
+    const double waterline = waterline_height(hull, hull.loading, x);
+    if (!(tip_z < waterline)) {
+      table->refuse("tip_z_m", fmt::format("the upper blade tip below the waterline there, {:g} m, is wanted",
+                                           waterline));
+    }
+    hull.propeller = Propeller{x, tip_z};
   }
 }
 
@@ -115,6 +128,21 @@ void read_propeller(const TomlTable& root, Hull& hull) {
 
 NumberRange along_the_ship(const Hull& hull) {
   return {-kBeyondEnds * hull.lpp, (1.0 + kBeyondEnds) * hull.lpp, "m from the aft perpendicular"};
+}
+
+NumberRange on_the_ship(const Hull& hull) {
+  const double overhang = kOverhang * hull.lpp;
+  return {std::min(0.0, hull.stations.front().x) - overhang,
+          std::max(hull.lpp, hull.stations.back().x) + overhang, "m from the aft perpendicular"};
+}
+
+NumberRange across_the_ship(const Hull& hull) {
+  const double half = (0.5 + kWing) * hull.breadth;
+  return {-half, half, "m to port"};
+}
+
+NumberRange above_the_base(const Hull& hull) {
+  return {0.0, std::min(hull.lpp, kGreatestHeight), "m above the base line"};
 }
 
 void read_places(const TomlTable& root, Hull& hull) {

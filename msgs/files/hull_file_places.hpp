@@ -6,8 +6,14 @@
 
 namespace quickstrip {
 
-/// Where things may stand: up to 0.2 lpp beyond the perpendiculars.
+/// Where stations may stand: up to 0.2 lpp beyond the perpendiculars.
 NumberRange along_the_ship(const Hull& hull);
+
+/// Where places may be: up to 0.05 lpp beyond the stations and the perpendiculars (a raking stem), 0.1 B
+/// beyond the side (a bridge wing), and as high above the base line as the ship is long, at most 150 m.
+NumberRange on_the_ship(const Hull& hull);
+NumberRange across_the_ship(const Hull& hull);
+NumberRange above_the_base(const Hull& hull);
 
 /// [[point]], [[slamming]], [[freeboard]] and [propeller], after particulars, stations and loading are in
 /// `hull`.

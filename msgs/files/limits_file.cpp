@@ -29,6 +29,7 @@ Kind kind_of(Quantity quantity) {
       return Kind::kRotation;
     case Quantity::kSlamming:
     case Quantity::kDeckWetness:
+    case Quantity::kPropellerEmergence:
       return Kind::kEvent;
     default:
       return Kind::kAcceleration;
@@ -46,10 +47,12 @@ Quantity read_quantity(const TomlTable& table) {
                                    Quantity::kLateralAcceleration,
                                    Quantity::kVerticalAcceleration,
                                    Quantity::kSlamming,
-                                   Quantity::kDeckWetness};
+                                   Quantity::kDeckWetness,
+                                   Quantity::kPropellerEmergence};
   return kQuantities[table.choice(
-      "quantity", {"surge", "sway", "heave", "roll", "pitch", "yaw", "longitudinal_acceleration",
-                   "lateral_acceleration", "vertical_acceleration", "slamming", "deck_wetness"})];
+      "quantity",
+      {"surge", "sway", "heave", "roll", "pitch", "yaw", "longitudinal_acceleration", "lateral_acceleration",
+       "vertical_acceleration", "slamming", "deck_wetness", "propeller_emergence"})];
 }
 
 Statistic read_statistic(const TomlTable& table, Kind kind) {
@@ -126,6 +129,13 @@ std::vector<Place> all_places(const Places& places) {
   return list;
 }
 
+std::vector<Place> places_of_events(Quantity quantity, const Hull& hull) {
+  if (quantity == Quantity::kPropellerEmergence) {
+    return hull.propeller ? std::vector<Place>{{0, "propeller"}} : std::vector<Place>{};
+  }
+  return quantity == Quantity::kSlamming ? all_places(hull.slamming) : all_places(hull.freeboard);
+}
+
 std::vector<Place> named_place(const TomlTable& table, const std::vector<Place>& there_are) {
   const std::string name = table.name("place");
   std::string known;
@@ -170,10 +180,10 @@ std::vector<Place> read_places_of(const TomlTable& table, Quantity quantity, con
   if (kind == Kind::kEvent) {
     if (table.has("role")) {
       table.refuse("role",
-                   "place = \"NAME\", or neither, is wanted: stations and freeboard points have no role");
+                   "place = \"NAME\", or neither, is wanted: stations, freeboard points and the propeller "
+                   "have no role");
     }
-    std::vector<Place> all =
-        quantity == Quantity::kSlamming ? all_places(hull.slamming) : all_places(hull.freeboard);
+    const std::vector<Place> all = places_of_events(quantity, hull);
     if (table.has("place")) {
       return named_place(table, all);
     }

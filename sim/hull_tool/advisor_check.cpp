@@ -3,12 +3,13 @@
 #include <memory>
 
 #include "core/advice/nordforsk.hpp"
+#include "core/advice/quality.hpp"
 #include "core/advisor.hpp"
 #include "msgs/cli/run_tool.hpp"
 
 namespace quickstrip::hull_tool {
 
-double advisor_roll_period(const FloatingHull& ship) {
+AdvisorFindings advisor_findings(const FloatingHull& ship) {
   const auto advisor = std::make_unique<Advisor>();
   const Result<Criteria> criteria = nordforsk_merchant(ship.hull);
   const Status configured =
@@ -16,7 +17,12 @@ double advisor_roll_period(const FloatingHull& ship) {
   if (!configured) {
     throw InputError{explain(configured.error(), ship, {})};
   }
-  return kTwoPi / advisor->loaded_hull().roll_natural_frequency;
+  const LoadedHull& loaded = advisor->loaded_hull();
+  return {kTwoPi / loaded.roll_natural_frequency, hull_quality(loaded, ship.loading)};
+}
+
+double advisor_roll_period(const FloatingHull& ship) {
+  return advisor_findings(ship).roll_period;
 }
 
 }  // namespace quickstrip::hull_tool

@@ -6,12 +6,14 @@
 
 #include "core/hull/imo_roll_period.hpp"
 #include "core/hull/lewis_section.hpp"
+#include "core/response/swell_up.hpp"
 #include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/advisor_check.hpp"
 #include "sim/hull_tool/check_remarks.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/quality_text.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
@@ -89,13 +91,38 @@ void report_grid(const FloatingHull& ship, std::string& text) {
                    to_knots(grid.speed_to), to_knots(grid.speed_step), degrees(grid.heading_step)));
 }
 
+// What --swell-up onboard does for this hull.
+void report_swell_up(const FloatingHull& ship, std::string& text) {
+  const Result<SwellUpModel> model =
+      swell_up_model(SwellUp::kOnboard, ship.hull, ship.loading, ship.hydrostatics);
+  if (!model) {
+    throw InputError{explain(model.error(), ship, {})};
+  }
+  const DynamicSwellUp& dynamic = model->at_entrance;
+  const bool is_in_range = dynamic.speeds.holds(dynamic.speeds.from);
+  line(text, "swell-up, dynamic",
+       is_in_range
+           ? fmt::format("Tasaki's factor at {:.1f} ... {:.1f} kn, {:.2f} elsewhere",
+                         to_knots(dynamic.speeds.from), to_knots(dynamic.speeds.to), dynamic.elsewhere)
+           : fmt::format("{:.2f}: CB {:.3f} is outside 0.60 ... 0.80", dynamic.elsewhere,
+                         ship.hydrostatics.cb));
+  const double fastest = ship.hull.grid.speed_to;
+  line(text, "swell-up, static",
+       fmt::format("entrance {:.1f} m; bow wave {:.2f} m at {:.3g} kn", model->entrance_length,
+                   static_swell_up(*model, ship.hull.lpp).rise(fastest), to_knots(fastest)));
+}
+
 void run(const std::string& file) {
   const auto ship = float_hull(file);
   std::string text;
   report_stations(*ship, text);
   report_replaced(*ship, text);
   report_hydrostatics(*ship, text);
-  line(text, "natural roll period", fmt::format("{:.4g} s by strip theory", advisor_roll_period(*ship)));
+  const AdvisorFindings advisor = advisor_findings(*ship);
+  line(text, "natural roll period", fmt::format("{:.4g} s by strip theory", advisor.roll_period));
+  line(text, "quality",
+       advisor.quality == 0 ? "nothing to say of the hull itself" : quality_text(advisor.quality));
+  report_swell_up(*ship, text);
   report_grid(*ship, text);
   for (const std::string& remark : warnings_of(*ship)) {
     line(text, "warning", remark);

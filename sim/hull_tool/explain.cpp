@@ -77,6 +77,27 @@ std::string too_few(const FloatingHull& ship, const LoadingOptions& options) {
       ship.hull.stations.size());
 }
 
+// Of what is watched: list_channels refuses it.
+std::string place_out_of_range(const FloatingHull& ship) {
+  for (const FreeboardPoint& point : ship.hull.freeboard) {
+    const double waterline = waterline_height(ship.hull, ship.loading, point.x);
+    if (!(point.height > waterline)) {
+      return fmt::format(
+          "{}: freeboard \"{}\": height_m = {:g}: a deck edge above the waterline there, {:g} m, is wanted",
+          ship.file, point.name.view(), point.height, waterline);
+    }
+  }
+  const double aft = ship.hull.stations.front().x;
+  const double fore = ship.hull.stations.back().x;
+  for (const SlammingStation& station : ship.hull.slamming) {
+    if (!(station.x >= aft && station.x <= fore)) {
+      return fmt::format("{}: slamming \"{}\": x_m = {:g}: a number from {:g} to {:g} m is wanted", ship.file,
+                         station.name.view(), station.x, aft, fore);
+    }
+  }
+  return fmt::format("{}: [loading] and [[station]] together: {}", ship.file, message(Error::kOutOfRange));
+}
+
 }  // namespace
 
 std::string explain(Error error, const FloatingHull& ship, const LoadingOptions& options) {
@@ -89,6 +110,8 @@ std::string explain(Error error, const FloatingHull& ship, const LoadingOptions&
       return one_draught(ship, options);
     case Error::kTooFewStations:
       return too_few(ship, options);
+    case Error::kOutOfRange:
+      return place_out_of_range(ship);
     default:
       return fmt::format("{}: [loading] and [[station]] together: {}", ship.file, message(error));
   }

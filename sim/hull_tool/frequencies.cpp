@@ -136,7 +136,8 @@ void run(const Options& options) {
         options.strip.file)};
   }
   const auto watch = std::make_unique<Watch>();
-  const Status listed = list_channels(hull, ship.floating->loading, ship.floating->hydrostatics, *watch);
+  const Status listed = list_channels(hull, ship.floating->loading, ship.floating->hydrostatics,
+                                      ship.loaded->method.swell_up, *watch);
   if (!listed) {
     throw InputError{options.strip.file + ": " + message(listed.error())};
   }

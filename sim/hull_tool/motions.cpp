@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/advice/advice.hpp"
+#include "core/advice/quality.hpp"
 #include "core/strip/added_resistance.hpp"
 #include "core/strip/equations_of_motion.hpp"
 #include "msgs/cli/list_option.hpp"
@@ -34,16 +34,18 @@ void run(const Options& options) {
   const StripShip ship = load_strip_ship(options.strip);
   Csv csv(kHeader);
   for (const double speed_kn : options.speeds_kn) {
+    const double speed = from_knots(speed_kn);
     for (const double mu_deg : options.mus_deg) {
       for (const double omega : options.omegas) {
         const EncounterAngle mu{wrap_pi(radians(mu_deg))};
-        const MotionTransfer t = motion_transfer(*ship.loaded, omega, mu, from_knots(speed_kn));
+        const MotionTransfer t = motion_transfer(*ship.loaded, omega, mu, speed);
         csv.add(speed_kn).add(mu_deg).add(omega).add(t.encounter_frequency);
         for (const Complex& motion : t.motion) {
           csv.add(std::abs(motion)).add(std::arg(motion));
         }
-        csv.add(added_resistance(*ship.loaded, omega, mu, from_knots(speed_kn), t));
-        csv.add(quality_text(ship.quality | (t.low_encounter ? kQualityLowEncounter : 0u)));
+        csv.add(added_resistance(*ship.loaded, omega, mu, speed, t));
+        csv.add(quality_text(ship.quality | speed_quality(speed, ship.loaded->lpp, ship.loaded->gravity) |
+                             (t.low_encounter ? kQualityLowEncounter : 0u)));
         csv.end_row();
       }
     }

@@ -1,6 +1,6 @@
 #include "sim/hull_tool/strip_ship.hpp"
 
-#include "core/advice/advice.hpp"
+#include "core/advice/quality.hpp"
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/run_tool.hpp"
 
@@ -26,10 +26,7 @@ StripShip load_strip_ship(const StripOptions& options) {
   if (options.roll_damping_ratio) {
     set_roll_damping_ratio(*ship.loaded, *options.roll_damping_ratio);
   }
-  const bool free_surface_known = ship.floating->loading.free_surface_correction || ship.floating->loading.gm;
-  ship.quality = (ship.loaded->has_replaced_section ? kQualityReplacedSection : 0u) |
-                 (ship.loaded->lpp < 3.0 * ship.loaded->breadth ? kQualityLowLengthBreadth : 0u) |
-                 (free_surface_known ? 0u : kQualityFreeSurfaceUnknown);
+  ship.quality = hull_quality(*ship.loaded, ship.floating->loading);
   return ship;
 }
 

@@ -87,6 +87,15 @@ TEST_F(Programs, BadFilesExitOneWithOneLineAndLeaveNothingBehind) {
              {"--at = 2030", "90 minutes"});
   expect_bad(kHull + " hydrostatics " + kS175 + " --draught-aft-m 0.001 --draught-fwd-m 0.001",
              {"--draught-aft-m"});
+  const std::string sea = " --spectrum bretschneider --hs-m 3 --t1-s 9 --speed-kn 10 --mu-deg 90";
+  expect_bad(kHull + " responses " + kS175 + sea + " --point 300,0,35",
+             {"--point 300,0,35: x = 300", "-10.4125 to 183.75 m"});
+  expect_bad(kHull + " responses " + kS175 + sea + " --point 30,16,35",
+             {"--point 30,16,35: y = 16", "-15.24 to 15.24 m to port"});
+  const std::string low = folder_.file(
+      "low.toml", edited(source_text("sim/hulls/s175.hull.toml"), "height_m = 16.0", "height_m = 9.8"));
+  expect_bad(kHull + " responses low.toml" + sea + " --draught-aft-m 10 --draught-fwd-m 10",
+             {"low.toml: freeboard \"bow\": height_m = 9.8", "waterline there, 10 m"});
   expect_bad(kSim + " log --sea none --voyage bad.toml --out o.log", {"none: no such file"});
   expect_bad(kSim + " log --sea " + storm + " --voyage bad.toml --out o.log", {"bad.toml: name: missing"});
   expect_bad(kSim + " log --sea " + storm + " --voyage long.toml --out o.log",
@@ -128,6 +137,15 @@ TEST_F(Programs, ImpossibleOptionsExitTwoNamingOptionValueAndRange) {
   expect_wrong_use(responses + sea + " --mu-deg 0:1:1e-7", {"--mu-deg: 0:1:1e-7", "at most 10000 values"});
   expect_wrong_use(responses + sea + " --mu-deg 90 --spreading-deg 90", {"--spreading-deg: 90", "0 ... 80"});
   expect_wrong_use(responses + sea + " --mu-deg 90 --roll-damping-ratio nan", {"--roll-damping-ratio: nan"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --swell-up 1.2", {"--swell-up: 1.2", "onboard", "off"});
+  expect_wrong_use(kAdvisor + " --hull x --swell-up tasaki", {"--swell-up: tasaki", "onboard", "off"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --hours 0", {"--hours: 0", "0.01 ... 100000"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --point 30,0", {"--point: 30,0", "x,y,z"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --point 30,0,nan", {"--point: 30,0,nan", "x,y,z"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --point 30,0,1,2", {"--point: 30,0,1,2", "x,y,z"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --level rol=0.1", {"--level: rol=0.1", "roll, pitch"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --level roll", {"--level: roll", "above 0 rad"});
+  expect_wrong_use(responses + sea + " --mu-deg 90 --level roll=-0.1", {"--level: roll=-0.1", "above 0 rad"});
   expect_wrong_use(motions + " --mu-deg 90 --omega 0", {"--omega: 0"});
   expect_wrong_use(motions + " --mu-deg 0:359:0.05 --omega 0.1:20:0.005", {"at most 1000000"});
   expect_wrong_use(kHull + " hydrostatics " + kS175 + " --kg-m 1e308", {"--kg-m: 1e+308", "200"});

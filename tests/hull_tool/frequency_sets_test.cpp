@@ -22,7 +22,7 @@ class FrequencySets : public testing::Test {
     hull_->loading.kg = kg;
     EXPECT_TRUE(load(*hull_, hull_->loading, {}, *ship_).ok());
     set_roll_damping_ratio(*ship_, ratio);
-    EXPECT_TRUE(list_channels(*hull_, hull_->loading, ship_->hydrostatics, *watch_).ok());
+    EXPECT_TRUE(list_channels(*hull_, hull_->loading, ship_->hydrostatics, SwellUp::kOff, *watch_).ok());
     const WaveSystem sea{4.9, t1, PeriodKind::kMean, WaveFrom{0.0}, 0.0, SpectrumShape::kBretschneider, 1.0};
     return compare_frequency_sets(*ship_, *watch_, sea, EncounterAngle{radians(mu_deg)},
                                   speed_kn * kKnotInMetresPerSecond);

@@ -15,14 +15,14 @@ StripMethod parse(const std::string& arguments) {
 
 bool same(const StripMethod& a, const StripMethod& b) {
   return a.variant == b.variant && a.end_terms == b.end_terms && a.loads == b.loads && a.surge == b.surge &&
-         a.low_encounter == b.low_encounter && a.contour == b.contour;
+         a.low_encounter == b.low_encounter && a.contour == b.contour && a.swell_up == b.swell_up;
 }
 
 TEST(MethodOptions, FirstOfEachIsTheDefault) {
   EXPECT_TRUE(same(parse(""), StripMethod{}));
-  EXPECT_TRUE(
-      same(parse("--method ordinary --end-terms on --loads haskind --surge full --low-encounter floor"),
-           StripMethod{}));
+  EXPECT_TRUE(same(parse("--method ordinary --end-terms on --loads haskind --surge full --low-encounter "
+                         "floor --swell-up onboard"),
+                   StripMethod{}));
 }
 
 TEST(MethodOptions, SecondOfEachChangesThatChoiceAlone) {
@@ -41,6 +41,9 @@ TEST(MethodOptions, SecondOfEachChangesThatChoiceAlone) {
   expected = {};
   expected.low_encounter = LowEncounterRule::kPaper;
   EXPECT_TRUE(same(parse("--low-encounter paper"), expected));
+  expected = {};
+  expected.swell_up = SwellUp::kOff;
+  EXPECT_TRUE(same(parse("--swell-up off"), expected));
 }
 
 TEST(MethodOptions, PaperIsOrdinaryEndTermsClassicPaperAndTakesAChoiceBesideIt) {
@@ -48,11 +51,16 @@ TEST(MethodOptions, PaperIsOrdinaryEndTermsClassicPaperAndTakesAChoiceBesideIt) 
   StripMethod expected = kPaperMethod;
   expected.surge = SurgeTerms::kInertiaOnly;
   EXPECT_TRUE(same(parse("--surge inertia-only --paper"), expected));
+  expected = kPaperMethod;
+  EXPECT_EQ(expected.swell_up, SwellUp::kOff);
+  expected.swell_up = SwellUp::kOnboard;
+  EXPECT_TRUE(same(parse("--paper --swell-up onboard"), expected));
 }
 
 TEST(MethodOptions, OtherWordsAreWrongUse) {
   EXPECT_THROW(parse("--method strip"), CLI::ParseError);
   EXPECT_THROW(parse("--end-terms yes"), CLI::ParseError);
+  EXPECT_THROW(parse("--swell-up 1.15"), CLI::ParseError);
 }
 
 }  // namespace

@@ -57,6 +57,14 @@ TEST(LimitsFile, EachKindOfLimitArrivesInSiUnits) {
       "quantity = \"deck_wetness\"\nplace = \"bow\"\nstatistic = \"probability\"\n"
       "limit_probability = 0.05\n");
   EXPECT_EQ(p.criteria[0].limit, 0.05);
+  p = profile_of("quantity = \"propeller_emergence\"\nstatistic = \"per_hour\"\nlimit_per_hour = 90\n");
+  EXPECT_EQ(p.criteria[0].quantity, Quantity::kPropellerEmergence);
+  EXPECT_EQ(p.criteria[0].limit, 90.0);
+  EXPECT_EQ(p.criteria[0].place, 0);
+  EXPECT_TRUE(check_criteria(p.criteria, s175()).ok());
+  Hull without = s175();
+  without.propeller.reset();
+  EXPECT_FALSE(check_criteria(p.criteria, without).ok());
   EXPECT_TRUE(check_criteria(p.criteria, s175()).ok());
 }
 

@@ -37,7 +37,7 @@ TEST(OwnShipMessage, SpeedThroughWaterIsPreferred) {
   EXPECT_DOUBLE_EQ(reading.ship.speed, 9.26);  // 18 x 1852 / 3600
   EXPECT_EQ(speed_kind(reading.ship), SpeedKind::kThroughWater);
   EXPECT_DOUBLE_EQ(reading.ship.heading.radians, 4.71238898038469);
-  EXPECT_FALSE(reading.water_depth.has_value());
+  EXPECT_FALSE(reading.ship.water_depth.has_value());
 }
 
 TEST(OwnShipMessage, SpeedOverGroundIsAFlaggedFallback) {

@@ -40,6 +40,15 @@ class LocalMotions : public testing::Test {
   Watch local_;
 };
 
+TEST_F(LocalMotions, BeginWithTheShipsRollOnWhichTheirDampingRests) {
+  ASSERT_TRUE(begin_local_watch(watch_, local_).ok());
+  ASSERT_EQ(local_.channels.size(), 1u);
+  EXPECT_EQ(local_.channels[0].quantity, Quantity::kRoll);
+  EXPECT_EQ(moments_of(local_)[0].m0, pick(watch_, moments_of(watch_), Quantity::kRoll).m0);
+  Watch without;
+  EXPECT_EQ(begin_local_watch(without, local_).error(), Error::kOutOfRange);
+}
+
 TEST_F(LocalMotions, AtTheCentreOfGravityAreTheShips) {
   ASSERT_TRUE(add_local_motions({}, 0, false, kStandardGravity, local_).ok());
   const auto local = moments_of(local_);
