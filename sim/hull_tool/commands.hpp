@@ -13,6 +13,7 @@ void add_sections(CLI::App& app);
 void add_coefficients(CLI::App& app);
 void add_hydrodynamics(CLI::App& app);
 void add_motions(CLI::App& app);
+void add_roll_damping(CLI::App& app);
 void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
 void add_compare(CLI::App& app);
@@ -29,6 +30,7 @@ inline void add_commands(CLI::App& app) {
   add_coefficients(app);
   add_hydrodynamics(app);
   add_motions(app);
+  add_roll_damping(app);
   add_responses(app);
   add_grid(app);
   add_compare(app);

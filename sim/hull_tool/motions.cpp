@@ -6,7 +6,7 @@
 
 #include "core/advice/quality.hpp"
 #include "core/strip/added_resistance.hpp"
-#include "core/strip/equations_of_motion.hpp"
+#include "core/strip/regular_wave_roll.hpp"
 #include "msgs/cli/list_option.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
@@ -22,13 +22,26 @@ constexpr const char* kHeader =
     "heave_phase_rad,roll_amp,roll_phase_rad,pitch_amp,pitch_phase_rad,yaw_amp,yaw_phase_rad,"
     "added_resistance_n_m2,quality";
 
+constexpr double kUnitWave = 1.0;  // m
+
 struct Options {
   StripOptions strip;
   std::vector<double> speeds_kn;
   std::vector<double> mus_deg;
   std::vector<double> omegas;
-  double wave_amplitude = 1.0;
+  std::optional<double> wave_amplitude;
 };
+
+// What this wave adds to the ship's own quality. Without a given amplitude, roll is per metre and knows no
+// extremes unless its damping depends on it.
+std::uint32_t roll_quality(const Options& options, const LoadedHull& hull, const RegularWaveRoll& wave) {
+  const bool knows_amplitude = options.wave_amplitude || depends_on_amplitude(hull.roll_damping);
+  const bool is_extreme = knows_amplitude && !(wave.amplitude <= kGreatestRegularRoll);
+  return (wave.transfer.low_encounter ? kQualityLowEncounter : 0u) |
+         (is_extreme ? kQualityExtremeMotion : 0u) |
+         (wave.outside_range != 0 ? kQualityRollDampingRange : 0u) |
+         (wave.residual <= kRegularRollResidualLimit ? 0u : kQualityRollNotConverged);
+}
 
 void run(const Options& options) {
   const StripShip ship = load_strip_ship(options.strip);
@@ -38,14 +51,16 @@ void run(const Options& options) {
     for (const double mu_deg : options.mus_deg) {
       for (const double omega : options.omegas) {
         const EncounterAngle mu{wrap_pi(radians(mu_deg))};
-        const MotionTransfer t = motion_transfer(*ship.loaded, omega, mu, speed);
+        const RegularWaveRoll wave =
+            regular_wave_roll(*ship.loaded, omega, mu, speed, options.wave_amplitude.value_or(kUnitWave));
+        const MotionTransfer& t = wave.transfer;
         csv.add(speed_kn).add(mu_deg).add(omega).add(t.encounter_frequency);
         for (const Complex& motion : t.motion) {
           csv.add(std::abs(motion)).add(std::arg(motion));
         }
         csv.add(added_resistance(*ship.loaded, omega, mu, speed, t));
         csv.add(quality_text(ship.quality | speed_quality(speed, ship.loaded->lpp, ship.loaded->gravity) |
-                             (t.low_encounter ? kQualityLowEncounter : 0u)));
+                             roll_quality(options, *ship.loaded, wave)));
         csv.end_row();
       }
     }
@@ -65,12 +80,13 @@ void add_motions(CLI::App& app) {
       ->required();
   add_list(*command, "--omega", options->omegas, {1e-3, 20.0}, "wave frequencies [rad/s]")->required();
   add_number(*command, "--wave-amplitude-m", options->wave_amplitude, {1e-6, 30.0},
-             "wave amplitude [m]; damping as a ratio of critical does not depend on it");
+             "wave amplitude [m], for roll damping that depends on roll; default 1");
   command->footer(
       "response = amp cos(omega_e t + phase) for a wave crest at G at t = 0; m/m and rad/m; roll starboard "
       "down +, pitch bow down +, yaw bow to port +. added_resistance_n_m2 per metre of amplitude squared, + "
-      "aft: "
-      "radiated energy ahead of the beam, integrated pressure behind it.");
+      "aft: radiated energy ahead of the beam, integrated pressure behind it. Roll damping by equal energy "
+      "of "
+      "the roll in this wave; quality: extreme_motion above 20 degrees of roll.");
   command->callback([options] {
     refuse_too_many("--speed-kn, --mu-deg, --omega",
                     {options->speeds_kn.size(), options->mus_deg.size(), options->omegas.size()});
