@@ -32,6 +32,9 @@ std::uint32_t hull_quality(const LoadedHull& loaded, const Loading& loading) {
   if (loaded.lpp < kLowLengthBreadth * loaded.breadth) {
     quality |= kQualityLowLengthBreadth;
   }
+  if (loaded.roll_damping.outside_range != 0) {  // beyond its amplitudes: kQualityExtremeMotion
+    quality |= kQualityRollDampingRange;
+  }
   if (!loading.free_surface_correction && !loading.gm) {
     quality |= kQualityFreeSurfaceUnknown;
   }

@@ -12,6 +12,7 @@
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/frequency_sets.hpp"
+#include "sim/hull_tool/quantity_name.hpp"
 #include "sim/hull_tool/spectrum_options.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
 
@@ -28,37 +29,13 @@ struct Options {
 
 struct Label {
   const char* name = "";
-  const char* unit = "m/s2";
-  std::string where = "G";
+  const char* unit = "";
+  std::string where;
 };
 
 Label label_of(const Channel& channel, const Hull& hull) {
-  switch (channel.quantity) {
-    case Quantity::kSurge:
-      return {"surge", "m"};
-    case Quantity::kSway:
-      return {"sway", "m"};
-    case Quantity::kHeave:
-      return {"heave", "m"};
-    case Quantity::kRoll:
-      return {"roll", "rad"};
-    case Quantity::kPitch:
-      return {"pitch", "rad"};
-    case Quantity::kYaw:
-      return {"yaw", "rad"};
-    case Quantity::kLongitudinalAcceleration:
-      return {"longitudinal_acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
-    case Quantity::kLateralAcceleration:
-      return {"lateral_acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
-    case Quantity::kVerticalAcceleration:
-      return {"vertical_acceleration", "m/s2", std::string(hull.points[channel.place].name.view())};
-    case Quantity::kSlamming:
-      return {"slamming", "m", std::string(hull.slamming[channel.place].name.view())};
-    case Quantity::kDeckWetness:
-      return {"deck_wetness", "m", std::string(hull.freeboard[channel.place].name.view())};
-    default:
-      return {"relative_motion", "m", fmt::format("x {:g} m from G", channel.position.x)};
-  }
+  const QuantityName words = name_of(channel.quantity);
+  return {words.name, words.unit, place_of(channel.quantity, channel.place, hull)};
 }
 
 double error_percent(double value, double reference) {
@@ -137,7 +114,7 @@ void run(const Options& options) {
   }
   const auto watch = std::make_unique<Watch>();
   const Status listed = list_channels(hull, ship.floating->loading, ship.floating->hydrostatics,
-                                      ship.loaded->method.swell_up, *watch);
+                                      SwellUp::kOff, *watch);  // integration is compared
   if (!listed) {
     throw InputError{options.strip.file + ": " + message(listed.error())};
   }

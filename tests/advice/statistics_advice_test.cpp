@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/advice/nordforsk.hpp"
+#include "core/advice/quality.hpp"
 #include "core/advisor.hpp"
 #include "core/response/relative_motion.hpp"
 #include "core/response/short_term.hpp"
@@ -148,6 +149,23 @@ TEST_F(StatisticsOfTheS175, ShallowWaterAndSwellUpOutsideItsRangeAreSaidInEveryC
   EXPECT_NE(step(*on_, 28.4).quality & kQualityShallowWater, 0u);
   EXPECT_NE(step(*on_).grid.cells[3][3].quality & kQualitySwellUpRange, 0u);  // CB 0.57
   EXPECT_EQ(step(*off_).grid.cells[3][3].quality & kQualitySwellUpRange, 0u);
+}
+
+TEST_F(StatisticsOfTheS175, WhatTheHullItselfIsSaidToLackIsSaid) {
+  const auto loaded = std::make_unique<LoadedHull>(on_->loaded_hull());
+  Loading loading = hull_->loading;
+  EXPECT_EQ(hull_quality(*loaded, loading), kQualityReplacedSection);  // her ends
+  loaded->has_replaced_section = false;
+  EXPECT_EQ(hull_quality(*loaded, loading), 0u);
+  loaded->roll_damping.outside_range = kOutsideMidshipCoefficient;
+  EXPECT_EQ(hull_quality(*loaded, loading), kQualityRollDampingRange);
+  loaded->breadth = 0.34 * loaded->lpp;
+  loading.free_surface_correction.reset();
+  EXPECT_EQ(hull_quality(*loaded, loading),
+            kQualityRollDampingRange | kQualityLowLengthBreadth | kQualityFreeSurfaceUnknown);
+  const double limit = 0.35 * std::sqrt(kStandardGravity * 175.0);
+  EXPECT_EQ(speed_quality(0.999 * limit, 175.0, kStandardGravity), 0u);
+  EXPECT_EQ(speed_quality(1.001 * limit, 175.0, kStandardGravity), kQualityHighFroude);
 }
 
 TEST_F(StatisticsOfTheS175, WideBandIsSaidOfWatchedResponsesAndTheirBandwidthIsGiven) {
