@@ -12,6 +12,7 @@ struct ChannelSums {
   std::vector<double> mean_square;  // by block
   double fourth = 0.0;
   double zeros = 0.0;
+  double crests = 0.0;
   double largest = 0.0;
 };
 
@@ -51,6 +52,7 @@ void add_block(std::span<const double> x, const Passages& zeros, ChannelSums& ou
   out.mean_square.push_back(square / n);
   out.fourth += fourth / n;
   out.zeros += static_cast<double>(zeros.up.size());
+  out.crests += static_cast<double>(zeros.rises.size());
 }
 
 // Events on one side, those too slow left out.
@@ -98,6 +100,9 @@ ChannelOutcome outcome_of(const ChannelSums& sums, double block_s) {
     out.kurtosis = sums.fourth / n / (mean * mean);
   }
   out.t2 = sums.zeros > 0.0 ? n * block_s / sums.zeros : 0.0;
+  if (sums.crests > 0.0) {
+    out.bandwidth = std::sqrt(std::max(0.0, 1.0 - std::pow(sums.zeros / sums.crests, 2)));
+  }
   out.largest = sums.largest;
   return out;
 }

@@ -40,8 +40,9 @@ double hours_of(const Answer& answer) {
 std::string channel_fields(const Report& r, std::size_t c) {
   const ChannelOutcome& got = r.outcome->channels[c];
   const QuantityResponse& said = r.stated->quantities[c];
-  return fmt::format("{},{},{},{},{},{},{}", number(got.rms), number(got.rms_error), number(said.rms),
-                     number(got.t2), number(said.t2), number(got.kurtosis), number(got.largest));
+  return fmt::format("{},{},{},{},{},{},{},{}", number(got.rms), number(got.rms_error), number(said.rms),
+                     number(got.t2), number(said.t2), number(got.kurtosis), number(got.bandwidth),
+                     number(got.largest));
 }
 
 bool is_counted(const Report& r, std::size_t channel) {
@@ -81,11 +82,12 @@ std::string channel_line(const Report& r, std::size_t c) {
   const ChannelOutcome& got = r.outcome->channels[c];
   const QuantityResponse& said = r.stated->quantities[c];
   const double unit = shown(channel);
-  return fmt::format("{:<26}{:<22}{:<6}{:>9.4g} ±{:<8.2g}{:>9.4g}{:>8.3f}{:>8.2f}{:>8.2f}{:>8.2f}{:>9.4g}\n",
-                     quantity_words(channel.quantity).name, place_words(channel, *r.hull),
-                     unit != 1.0 ? "deg" : quantity_words(channel.quantity).unit, unit * got.rms,
-                     unit * got.rms_error, unit * said.rms, said.rms > 0.0 ? got.rms / said.rms : 0.0, got.t2,
-                     said.t2, got.kurtosis, unit * got.largest);
+  return fmt::format(
+      "{:<26}{:<22}{:<6}{:>9.4g} ±{:<8.2g}{:>9.4g}{:>8.3f}{:>8.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.4g}\n",
+      quantity_words(channel.quantity).name, place_words(channel, *r.hull),
+      unit != 1.0 ? "deg" : quantity_words(channel.quantity).unit, unit * got.rms, unit * got.rms_error,
+      unit * said.rms, said.rms > 0.0 ? got.rms / said.rms : 0.0, got.t2, said.t2, got.kurtosis,
+      got.bandwidth, unit * got.largest);
 }
 
 std::string count_line(const Report& r, std::size_t i) {
@@ -105,13 +107,37 @@ std::string count_line(const Report& r, std::size_t i) {
       hours > 0.0 ? answer.events / hours : 0.0, said.per_hour, joined(remarks_on(r, i), ", "));
 }
 
+// Where Rayleigh's law does not do, if it happened.
+std::string explained(const Report& r) {
+  bool shares_cycles = false;
+  bool is_not_gaussian = false;
+  for (std::size_t i = 0; i < r.counts.size(); ++i) {
+    for (const std::string& remark : remarks_on(r, i)) {
+      shares_cycles = shares_cycles || remark == kSeveralCrossings;
+      is_not_gaussian = is_not_gaussian || remark == kNotGaussian;
+    }
+  }
+  std::string out;
+  if (shares_cycles) {
+    out +=
+        "several_crossings_a_cycle: the band is wide, crossings are as many as stated (Rice), but fewer"
+        " cycles have one.\n";
+  }
+  if (is_not_gaussian) {
+    out +=
+        "not_gaussian: quadratic damping holds the largest rolls down (kurtosis below 3); Rayleigh's law"
+        " with the right RMS\nstates too many of them, the more the rarer: on the safe side.\n";
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string csv_of(const Report& r) {
   std::string out =
       "quantity,where,unit,level,least_speed,encounters,events,probability,probability_low,probability_high,"
       "stated_probability,probability_of_cycles,per_hour,per_hour_low,per_hour_high,stated_per_hour,rms,"
-      "rms_error,stated_rms,t2_s,stated_t2_s,kurtosis,largest,remarks\n";
+      "rms_error,stated_rms,t2_s,stated_t2_s,kurtosis,bandwidth,largest,remarks\n";
   const auto begin = [&](std::size_t c) {
     const Channel& channel = r.watch->channels[c];
     return fmt::format("{},{},{},", quantity_words(channel.quantity).name,
@@ -142,8 +168,9 @@ std::string csv_of(const Report& r) {
 
 std::string text_of(const Report& r) {
   std::string out = heading_of(r);
-  out += fmt::format("\n{:<26}{:<22}{:<6}{:>9} {:<9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>9}\n", "quantity", "where",
-                     "unit", "rms", "", "stated", "ratio", "T2 s", "stated", "kurt.", "largest");
+  out +=
+      fmt::format("\n{:<26}{:<22}{:<6}{:>9} {:<9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>7}{:>9}\n", "quantity", "where",
+                  "unit", "rms", "", "stated", "ratio", "T2 s", "stated", "kurt.", "width", "largest");
   for (std::size_t c = 0; c < r.watch->channels.size(); ++c) {
     out += channel_line(r, c);
   }
@@ -160,6 +187,7 @@ std::string text_of(const Report& r) {
       "side's. A"
       " slam is a\nre-entry faster than the threshold. Intervals: from the scatter between the blocks, which"
       " know nothing of\neach other (clusters included).\n";
+  out += explained(r);
   return out;
 }
 

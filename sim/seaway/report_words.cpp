@@ -91,10 +91,10 @@ std::vector<std::string> remarks_on(const Report& report, std::size_t count) {
     }
   }
   if (answer.encounters_with_event < kSameCycle * answer.events) {
-    out.emplace_back("several_crossings_a_cycle");
+    out.emplace_back(kSeveralCrossings);
   }
   if (report.roll && std::fabs(channel.kurtosis - 3.0) > kKurtosisOff) {
-    out.emplace_back("not_gaussian");
+    out.emplace_back(kNotGaussian);
   }
   return out;
 }

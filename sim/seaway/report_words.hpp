@@ -19,6 +19,9 @@ std::string place_words(const Channel& channel, const Hull& hull);
 /// As a field of CSV.
 std::string quoted(const std::string& text);
 
+inline constexpr const char* kSeveralCrossings = "several_crossings_a_cycle";
+inline constexpr const char* kNotGaussian = "not_gaussian";
+
 /// Where the count and the statement part, and why they may.
 std::vector<std::string> remarks_on(const Report& report, std::size_t count);
 

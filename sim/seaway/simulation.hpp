@@ -78,6 +78,7 @@ struct ChannelOutcome {
   double rms_error = 0.0;  // standard error from the blocks; 0 with one block
   double t2 = 0.0;         // zero up-crossing period, counted [s]
   double kurtosis = 0.0;   // 3 for a Gaussian
+  double bandwidth = 0.0;  // sqrt(1 - (zero up-crossings / crests)^2): 0 narrow, 1 wide
   double largest = 0.0;    // |x|
 };
 

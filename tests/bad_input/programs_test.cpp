@@ -169,6 +169,26 @@ TEST_F(Programs, ImpossibleOptionsExitTwoNamingOptionValueAndRange) {
                    {"--own-ship-period-s: nan"});
 }
 
+TEST_F(Programs, SimulationsThatCannotBeAreRefusedInOneLine) {
+  const std::string ship = kSim + " simulate " + kS175;
+  const std::string sea = " --spectrum bretschneider --hs-m 3 --t1-s 9";
+  const std::string course = " --speed-kn 10 --mu-deg 90";
+  const std::string run = " --hours 1 --seed 1";
+  expect_bad(kSim + " simulate none.toml" + sea + course + run, {"none.toml: no such file"});
+  expect_bad(ship + " --sea none.sea --speed-kn 10 --heading-deg 0" + run, {"none.sea: no such file"});
+  expect_bad(ship + sea + course + run + " --log none/x.log", {"none/x.log: cannot be written"});
+  expect_bad(ship + " --spectrum bretschneider --hs-m 3 --t1-s 1" + course + run, {"--t1-s", "rad/s"});
+  expect_wrong_use(ship + sea + course + " --seed 1 --hours 0", {"--hours: 0", "0.02 ... 100000"});
+  expect_wrong_use(ship + sea + course + " --seed 1 --hours -5", {"--hours: -5", "0.02 ... 100000"});
+  expect_wrong_use(ship + sea + course + " --seed 1 --hours 1e7", {"--hours: ", "0.02 ... 100000"});
+  expect_wrong_use(ship + sea + course + " --hours 1 --seed -1", {"--seed: -1", "0 or more"});
+  expect_wrong_use(ship + sea + course + " --hours 1 --seed one", {"--seed: one", "0 or more"});
+  expect_wrong_use(ship + sea + " --mu-deg 90 --speed-kn 99" + run, {"--speed-kn: 99", "0 ... 60"});
+  expect_wrong_use(ship + sea + " --speed-kn 10" + run, {"--mu-deg or --heading-deg"});
+  expect_wrong_use(ship + course + run, {"--spectrum"});
+  expect_wrong_use(ship + sea + course + run + " --roll-damping-quadratic 1", {"--roll-damping-linear"});
+}
+
 TEST_F(Programs, DirectionsUpTo360AreTakenAndEchoedAsGiven) {
   const Outcome outcome =
       run(kHull + " motions " + kS175 + " --speed-kn 10 --mu-deg 360,-359.5,270 --omega 0.5");

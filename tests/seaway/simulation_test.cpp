@@ -165,15 +165,20 @@ TEST(Counting, ANarrowBandHasOneCrossingACycleAndAWideOneMore) {
   Simulation narrow = synthetic_motion(0.78, 0.82);
   const double m0 = channel_moments(narrow.answers, watch.channels[0], kWaveRow).m0;
   const std::vector<Question> above = {{0, Passing::kAbove, std::sqrt(m0), 0.0}};
-  const Answer one = run(narrow, watch, above, 3).answers[0];
+  const Outcome of_narrow = run(narrow, watch, above, 3);
+  const Answer& one = of_narrow.answers[0];
   EXPECT_NEAR(one.events / one.encounters, std::exp(-0.5), 0.01);  // groups of forty: 2,000 of them
   EXPECT_EQ(one.encounters_with_event, one.events);
+  EXPECT_LT(of_narrow.channels[0].bandwidth, 0.1);
   Simulation wide = synthetic_motion(0.05, 1.5);
   const double wide_m0 = channel_moments(wide.answers, watch.channels[0], kWaveRow).m0;
   const std::vector<Question> above_wide = {{0, Passing::kAbove, std::sqrt(wide_m0), 0.0}};
-  const Answer several = run(wide, watch, above_wide, 3).answers[0];
+  const Outcome of_wide = run(wide, watch, above_wide, 3);
+  const Answer& several = of_wide.answers[0];
   EXPECT_NEAR(several.events / several.encounters, std::exp(-0.5), 0.01);  // Rice: crossings all the same
   EXPECT_LT(several.encounters_with_event, 0.97 * several.events);
+  // White between 0 and omega: m_n = omega^(n+1) / (n + 1), so m2^2 / (m0 m4) = 5/9.
+  EXPECT_NEAR(of_wide.channels[0].bandwidth, std::sqrt(4.0 / 9.0), 0.01);
 }
 
 TEST(Simulation, RefusesHoursOutsideItsRange) {
