@@ -2,11 +2,11 @@
 //
 // Roll and accelerations: outward crossings of a level on either side; unless levels are given, those that
 // the advisor's Rayleigh law reaches with the probabilities asked for. Slams and wet decks: at the level and
-// threshold of the watch, as [Ochi1964] and deck_wetness.hpp mean them.
-// Of a Gaussian process the crossings of a level per zero crossing are exp(-level^2 / 2 m0) whatever the
-// bandwidth, and at one instant motion and velocity are independent: Ochi's product is exact for re-entries.
-// What Rayleigh's law assumes beyond that is that a cycle has one crossing: the count of cycles with an event
-// shows it.
+// threshold of the watch, as [Ochi1964] and deck_wetness.hpp mean them; the propeller's tip by its
+// re-entries. Of a Gaussian process the crossings of a level per zero crossing are exp(-level^2 / 2 m0)
+// whatever the bandwidth, and at one instant motion and velocity are independent: Ochi's product is exact for
+// re-entries. What Rayleigh's law assumes beyond that is that a cycle has one crossing: the count of cycles
+// with an event shows it.
 #pragma once
 
 #include <optional>

@@ -67,8 +67,8 @@ std::string csv_of(const Report& report, const std::vector<RepeatedCount>& repea
     const Channel& channel = report.watch->channels[said.question.channel];
     const RepeatedCount& r = repeated[i];
     out += fmt::format("{},{},{},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{}\n",
-                       quantity_words(channel.quantity).name, quoted(place_words(channel, *report.hull)),
-                       quantity_words(channel.quantity).unit, said.question.level, said.question.least_speed,
+                       quantity_word(channel.quantity), quoted(place_words(channel, *report.hull)),
+                       unit_word(channel.quantity), said.question.level, said.question.least_speed,
                        said.probability, r.encounters, r.events, r.probability(), ratio_of(said, r),
                        r.intervals, r.holding);
   }
@@ -83,7 +83,7 @@ std::string text_of(const Report& report, const std::vector<RepeatedCount>& repe
     const StatedCount& said = report.counts[i];
     const Channel& channel = report.watch->channels[said.question.channel];
     out += fmt::format("{:<26}{:<22}{:>10.0f}{:>11.5f}{:>11.5f}{:>8.3f}{:>8.1f} %\n",
-                       quantity_words(channel.quantity).name, place_words(channel, *report.hull),
+                       quantity_word(channel.quantity), place_words(channel, *report.hull),
                        repeated[i].events, repeated[i].probability(), said.probability,
                        ratio_of(said, repeated[i]), 100.0 * share_of(repeated[i]));
   }

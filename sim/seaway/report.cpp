@@ -84,8 +84,8 @@ std::string channel_line(const Report& r, std::size_t c) {
   const double unit = shown(channel);
   return fmt::format(
       "{:<26}{:<22}{:<6}{:>9.4g} ±{:<8.2g}{:>9.4g}{:>8.3f}{:>8.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.4g}\n",
-      quantity_words(channel.quantity).name, place_words(channel, *r.hull),
-      unit != 1.0 ? "deg" : quantity_words(channel.quantity).unit, unit * got.rms, unit * got.rms_error,
+      quantity_word(channel.quantity), place_words(channel, *r.hull),
+      unit != 1.0 ? "deg" : unit_word(channel.quantity), unit * got.rms, unit * got.rms_error,
       unit * said.rms, said.rms > 0.0 ? got.rms / said.rms : 0.0, got.t2, said.t2, got.kurtosis,
       got.bandwidth, unit * got.largest);
 }
@@ -100,8 +100,8 @@ std::string count_line(const Report& r, std::size_t i) {
   const double hours = hours_of(answer);
   return fmt::format(
       "{:<26}{:<22}{:>8.4g} {:<5}{:>9.0f}{:>8.0f}{:>10.5f} {:<21}{:>10.5f}{:>7}{:>10.3f}{:>10.3f}  {}\n",
-      quantity_words(channel.quantity).name, place_words(channel, *r.hull), unit * said.question.level,
-      unit != 1.0 ? "deg" : quantity_words(channel.quantity).unit, answer.encounters, answer.events, ratio,
+      quantity_word(channel.quantity), place_words(channel, *r.hull), unit * said.question.level,
+      unit != 1.0 ? "deg" : unit_word(channel.quantity), answer.encounters, answer.events, ratio,
       interval ? fmt::format("[{:.5f}, {:.5f}]", interval->low, interval->high) : std::string("[-]"),
       said.probability, said.probability > 0.0 ? fmt::format("{:.3f}", ratio / said.probability) : "-",
       hours > 0.0 ? answer.events / hours : 0.0, said.per_hour, joined(remarks_on(r, i), ", "));
@@ -140,8 +140,8 @@ std::string csv_of(const Report& r) {
       "rms_error,stated_rms,t2_s,stated_t2_s,kurtosis,bandwidth,largest,remarks\n";
   const auto begin = [&](std::size_t c) {
     const Channel& channel = r.watch->channels[c];
-    return fmt::format("{},{},{},", quantity_words(channel.quantity).name,
-                       quoted(place_words(channel, *r.hull)), quantity_words(channel.quantity).unit);
+    return fmt::format("{},{},{},", quantity_word(channel.quantity), quoted(place_words(channel, *r.hull)),
+                       unit_word(channel.quantity));
   };
   for (std::size_t c = 0; c < r.watch->channels.size(); ++c) {
     if (!is_counted(r, c)) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/hull_tool/quantity_name.hpp"
+
 namespace quickstrip::seaway {
 namespace {
 
@@ -12,53 +14,16 @@ constexpr double kKurtosisOff = 0.15;  // of 3: beyond the scatter of some hundr
 
 }  // namespace
 
-QuantityWords quantity_words(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kSurge:
-      return {"surge", "m"};
-    case Quantity::kSway:
-      return {"sway", "m"};
-    case Quantity::kHeave:
-      return {"heave", "m"};
-    case Quantity::kRoll:
-      return {"roll", "rad"};
-    case Quantity::kPitch:
-      return {"pitch", "rad"};
-    case Quantity::kYaw:
-      return {"yaw", "rad"};
-    case Quantity::kLongitudinalAcceleration:
-      return {"longitudinal_acceleration", "m/s2"};
-    case Quantity::kLateralAcceleration:
-      return {"lateral_acceleration", "m/s2"};
-    case Quantity::kVerticalAcceleration:
-      return {"vertical_acceleration", "m/s2"};
-    case Quantity::kSlamming:
-      return {"slamming", "m"};
-    case Quantity::kDeckWetness:
-      return {"deck_wetness", "m"};
-    case Quantity::kPropellerEmergence:
-      return {"propeller_emergence", "m"};
-    default:  // not in the watch
-      break;
-  }
-  return {"unknown", ""};
+const char* quantity_word(Quantity quantity) {
+  return hull_tool::name_of(quantity).name;
+}
+
+const char* unit_word(Quantity quantity) {
+  return hull_tool::name_of(quantity).unit;
 }
 
 std::string place_words(const Channel& channel, const Hull& hull) {
-  switch (channel.quantity) {
-    case Quantity::kLongitudinalAcceleration:
-    case Quantity::kLateralAcceleration:
-    case Quantity::kVerticalAcceleration:
-      return std::string(hull.points[channel.place].name.view());
-    case Quantity::kSlamming:
-      return std::string(hull.slamming[channel.place].name.view());
-    case Quantity::kDeckWetness:
-      return std::string(hull.freeboard[channel.place].name.view());
-    case Quantity::kPropellerEmergence:
-      return "propeller";
-    default:
-      return "G";
-  }
+  return hull_tool::place_of(channel.quantity, channel.place, hull);
 }
 
 std::string quoted(const std::string& text) {

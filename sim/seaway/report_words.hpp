@@ -8,12 +8,9 @@
 
 namespace quickstrip::seaway {
 
-struct QuantityWords {
-  const char* name;
-  const char* unit;  // SI
-};
-QuantityWords quantity_words(Quantity quantity);
-
+/// Names and SI units as `quickstrip-hull responses` has them.
+const char* quantity_word(Quantity quantity);
+const char* unit_word(Quantity quantity);
 std::string place_words(const Channel& channel, const Hull& hull);
 
 /// As a field of CSV.

@@ -178,7 +178,8 @@ TEST(Counting, ANarrowBandHasOneCrossingACycleAndAWideOneMore) {
   EXPECT_NEAR(several.events / several.encounters, std::exp(-0.5), 0.01);  // Rice: crossings all the same
   EXPECT_LT(several.encounters_with_event, 0.97 * several.events);
   // White between 0 and omega: m_n = omega^(n+1) / (n + 1), so m2^2 / (m0 m4) = 5/9.
-  EXPECT_NEAR(of_wide.channels[0].bandwidth, std::sqrt(4.0 / 9.0), 0.01);
+  // Crests less than a sample apart are not told from one: omega dt = 0.33.
+  EXPECT_NEAR(of_wide.channels[0].bandwidth, std::sqrt(4.0 / 9.0), 0.02);
 }
 
 TEST(Simulation, RefusesHoursOutsideItsRange) {
