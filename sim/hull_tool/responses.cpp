@@ -38,7 +38,7 @@ struct Options {
 constexpr const char* kHeader =
     "speed_kn,mu_deg,quantity,where,unit,rms,significant,t1_s,t2_s,probability,per_hour,quality,t4_s,"
     "bandwidth,"
-    "most_probable_max,level,exceedance,exceedances_per_hour";
+    "most_probable_max,level,exceedance,exceedances_per_hour,mean";
 
 /// Of the largest watches: a point has up to nine channels.
 constexpr std::size_t kPointsAWatch = 4;
@@ -101,6 +101,23 @@ void add_row(const Options& options, const Circumstance& at, const QuantityRespo
   csv.add(level);
   csv.add(level ? std::optional<double>(exceedance) : std::nullopt);
   csv.add(level ? std::optional<double>(exceedance * oscillations_per_hour(m0, m2)) : std::nullopt);
+  csv.add(std::optional<double>());  // motions swing about zero
+  csv.end_row();
+}
+
+/// A mean force: no amplitude, no period.
+void add_resistance_row(const Circumstance& at, const char* name, float mean, Csv& csv) {
+  constexpr int kBeforeQuality = 6;
+  constexpr int kAfterQuality = 6;
+  csv.add(at.speed_kn).add(at.mu_deg).add(name).add("G").add("N");
+  for (int i = 0; i < kBeforeQuality; ++i) {
+    csv.add(std::optional<double>());
+  }
+  csv.add(quality_text(at.quality & ~(kQualityWideBand | kQualitySwellUpRange)));
+  for (int i = 0; i < kAfterQuality; ++i) {
+    csv.add(std::optional<double>());
+  }
+  csv.add(mean > kNoResistance ? std::optional<double>(mean) : std::nullopt);
   csv.end_row();
 }
 
@@ -143,6 +160,8 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
     for (const QuantityResponse& q : s.cell.quantities) {
       add_row(options, at, q, place_of(q.quantity, q.place, hull), csv);
     }
+    add_resistance_row(at, "added_resistance", s.cell.cell.added_resistance, csv);
+    add_resistance_row(at, "added_resistance_empirical", s.cell.cell.added_resistance_empirical, csv);
     add_local_rows(options, at, speed, s, csv);
   }
 }
@@ -222,7 +241,9 @@ void add_responses(CLI::App& app) {
       "the vertical relative motion; probability is per wave encounter, exceedance per oscillation. "
       "bandwidth: "
       "epsilon, 0 narrow ... 1 wide; quality says wide_band where the maxima are no longer Rayleigh's; of "
-      "relative motions it rests on the highest wave frequency.");
+      "relative motions it rests on the highest wave frequency. mean: of added_resistance, + aft; empty "
+      "outside "
+      "the range of the semi-empirical method.");
   command->callback([options] {
     refuse_too_many("--speed-kn, --mu-deg", {options->speeds_kn.size(), options->mus_deg.size(), 400});
     run(*options);

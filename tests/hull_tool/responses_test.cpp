@@ -68,13 +68,26 @@ TEST(Responses, KeepTheColumnsOfTheContractAndPutNewOnesBehind) {
   const auto rows = responses("", &header);
   EXPECT_EQ(header,
             "speed_kn,mu_deg,quantity,where,unit,rms,significant,t1_s,t2_s,probability,per_hour,quality,t4_s,"
-            "bandwidth,most_probable_max,level,exceedance,exceedances_per_hour");
+            "bandwidth,most_probable_max,level,exceedance,exceedances_per_hour,mean");
   for (const char* key : {"roll@G", "vertical_acceleration@bridge", "slamming@bow", "deck_wetness@bow",
                           "propeller_emergence@propeller", "displacement_z@bridge", "velocity_x@bridge",
                           "relative_motion@slamming at bow", "relative_velocity@deck_wetness at bow",
                           "relative_motion@propeller"}) {
     EXPECT_EQ(rows.count(key), 1u) << key;
   }
+}
+
+// A mean and nothing else; two methods of one force, Fn 0.2, in the range of both.
+TEST(Responses, GiveTheMeanAddedResistanceByBothMethods) {
+  const auto rows = responses("");
+  const double strip = number(rows.at("added_resistance@G"), "mean");
+  const double empirical = number(rows.at("added_resistance_empirical@G"), "mean");
+  EXPECT_GT(strip, 0.0);
+  EXPECT_GT(empirical, 0.5 * strip);
+  EXPECT_LT(empirical, 2.0 * strip);
+  EXPECT_EQ(rows.at("added_resistance@G").at("unit"), "N");
+  EXPECT_EQ(rows.at("added_resistance@G").at("rms"), "");
+  EXPECT_EQ(rows.at("roll@G").at("mean"), "");
 }
 
 TEST(Responses, OfAPointGivenAreThoseOfTheHullFilesPoint) {
