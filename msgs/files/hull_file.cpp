@@ -180,25 +180,15 @@ void read_loading(const TomlTable& root, Hull& hull) {
 /// Inside the stations, and no broader than a plate on the bilge can be.
 BilgeKeel read_bilge_keel(const TomlTable& table, const Hull& hull) {
   table.allow_only({"x_aft_m", "x_fwd_m", "breadth_m"});
-  const double aft = hull.stations.front().x;
-  const double fore = hull.stations.back().x;
+  const NumberRange along{hull.stations.front().x, hull.stations.back().x,
+                          "m from the aft perpendicular, where the ship has stations,"};
   const double draught = std::min(hull.loading.draught_aft, hull.loading.draught_fwd);
-  BilgeKeel out;
-  out.x_aft = table.number("x_aft_m", along_the_ship(hull));
-  out.x_fwd = table.number("x_fwd_m", along_the_ship(hull));
-  out.breadth = table.number("breadth_m", {0.0001, 0.1 * hull.breadth, "m"});
+  const NumberRange breadths{0.0001, std::min(0.1 * hull.breadth, 0.2 * draught),
+                             "m, at most a tenth of the breadth and a fifth of the draught,"};
+  const BilgeKeel out{table.number("x_aft_m", along), table.number("x_fwd_m", along),
+                      table.number("breadth_m", breadths)};
   if (!(out.x_aft < out.x_fwd)) {
     table.refuse("x_fwd_m", fmt::format("more than x_aft_m = {:g} is wanted (swapped?)", out.x_aft));
-  }
-  if (!(out.x_aft >= aft)) {
-    table.refuse("x_aft_m", fmt::format("at least {:g}, the aftmost station, is wanted", aft));
-  }
-  if (!(out.x_fwd <= fore)) {
-    table.refuse("x_fwd_m", fmt::format("at most {:g}, the foremost station, is wanted", fore));
-  }
-  if (!(out.breadth <= 0.2 * draught)) {
-    table.refuse("breadth_m",
-                 fmt::format("at most {:g} m, a fifth of the draught, is wanted", 0.2 * draught));
   }
   return out;
 }
