@@ -26,9 +26,6 @@ std::uint32_t hull_quality(const LoadedHull& loaded, const Loading& loading) {
   if (loaded.has_replaced_section) {
     quality |= kQualityReplacedSection;
   }
-  if (loaded.roll_damping.outside_range != 0) {
-    quality |= kQualityRollDampingRange;
-  }
   if (loaded.lpp < kLowLengthBreadth * loaded.breadth) {
     quality |= kQualityLowLengthBreadth;
   }

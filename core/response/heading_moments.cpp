@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/base/check.hpp"
 #include "core/base/static_vector.hpp"
@@ -42,7 +41,7 @@ void list_values_at(const Subject& subject, std::size_t m, const SweepWorkspace&
   IncidentWave conjugate;
   if (is_ahead && subject.channel->form.wave > 0.0) {
     conjugate.re = wave->re;
-    std::transform(wave->im.begin(), wave->im.end(), conjugate.im.begin(), std::negate<>());
+    std::transform(wave->im.begin(), wave->im.end(), conjugate.im.begin(), [](auto value) { return -value; });
     wave = &conjugate;
   }
   const LateralMotions* const damped =
