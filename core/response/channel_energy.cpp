@@ -64,11 +64,23 @@ void multiply_by_square(const std::array<double, N>& factor, std::size_t n, std:
   }
 }
 
+// Without a branch a frequency: it is what the cycle does for every relative motion.
 void raise_by_swell_up(const DynamicSwellUp& swell_up, double speed, const NodeValues& omega_e, std::size_t n,
                        NodeValues& out) {
+  const double elsewhere = swell_up.elsewhere * swell_up.elsewhere;
+  if (!swell_up.speeds.holds(speed)) {
+    for (std::size_t f = 0; f < n; ++f) {
+      out[f] *= elsewhere;
+    }
+    return;
+  }
+  const Interval range = swell_up.frequencies;
+  const double slope = swell_up.by_frequency;
   for (std::size_t f = 0; f < n; ++f) {
-    const double factor = swell_up.factor(speed, omega_e[f]);
-    out[f] *= factor * factor;
+    const double frequency = std::fabs(omega_e[f]);
+    const double factor = 1.0 + slope * frequency;
+    const double within = frequency >= range.from ? factor * factor : elsewhere;
+    out[f] *= frequency <= range.to ? within : elsewhere;
   }
 }
 

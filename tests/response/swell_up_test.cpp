@@ -138,6 +138,35 @@ TEST_F(SwellUpOf, AHullWithoutWaterlineIsRefused) {
             Error::kOutOfRange);
 }
 
+TEST_F(SwellUpOf, EachWaveRaisesRelativeMotionByTheFactorAtItsOwnEncounterFrequency) {
+  fill_wedge(*hull_, 30.0);
+  auto transfer = std::make_unique<TransferFunctions>();
+  synthetic::fill(*transfer, 9, 1.0, 40, synthetic::shiplike);
+  Hydrostatics hydrostatics = synthetic::box_hydrostatics();
+  hydrostatics.cb = 0.70;
+  Watch on;
+  Watch off;
+  ASSERT_TRUE(list_channels(*hull_, hull_->loading, hydrostatics, SwellUp::kOnboard, on).ok());
+  ASSERT_TRUE(list_channels(*hull_, hull_->loading, hydrostatics, SwellUp::kOff, off).ok());
+  const std::size_t slamming = find_channel(on, Quantity::kSlamming, 0);
+  std::size_t by_formula = 0;
+  for (const double speed : {0.0, 6.0, 8.0}) {  // 0, 0.19 and 0.26 of Froude
+    for (std::size_t f = 0; f < 40; ++f) {
+      auto sea = std::make_unique<SeaEnergy>();
+      synthetic::add_waves(*sea, *transfer, 0, {{f, 1.0}});
+      std::vector<ResponseMoments> with(on.channels.size());
+      std::vector<ResponseMoments> without(on.channels.size());
+      ASSERT_TRUE(response_moments(*transfer, on, *sea, {0.0}, speed, with).ok());
+      ASSERT_TRUE(response_moments(*transfer, off, *sea, {0.0}, speed, without).ok());
+      const double omega_e = transfer->omega[f] + speed * transfer->wave_number[f];
+      const double factor = on.channels[slamming].dynamic_swell_up.factor(speed, omega_e);
+      by_formula += factor != kSwellUpFactor ? 1 : 0;
+      EXPECT_NEAR(with[slamming].m0, factor * factor * without[slamming].m0, 1e-12 * with[slamming].m0);
+    }
+  }
+  EXPECT_GE(by_formula, 3u);
+}
+
 TEST_F(SwellUpOf, TheShipRaisesRelativeMotionAndVelocityByTheFactorAndLowersTheFreeboardAlone) {
   fill_wedge(*hull_, 30.0);
   hull_->propeller = Propeller{2.0, 3.0};
