@@ -12,8 +12,8 @@
 // 0.5 ... 0.85, C_M 0.9 ... 0.99, B/d 2.5 ... 4.5, OG/d (down) -1.5 ... 0.2, keels 0.01 ... 0.06 of B and
 // 0.05 ... 0.4 of L, omega-hat up to 1, amplitudes up to 20 degrees. Sections outside the section's range are
 // brought into it (ikeda_section()) and flagged where they make more than half of the eddies: of the S-175,
-// whose bulb and stern are, a third.
-// Expected error: 20 to 30 % of the whole within the range [ITTC2011]. Cost: about 0.5 ms when the loading
+// whose bulb and stern are, 38 %.
+// Expected error: 20 to 30 % of the whole within the range [ITTC2011]. Cost: 0.1 ms when the loading
 // changes. No state.
 #pragma once
 

@@ -8,7 +8,7 @@
 // roll differs from the one assumed is the residual.
 // Below the encounter-frequency floor damping is taken at the floor, as the equations are.
 // Range: |roll| up to 20 degrees; above it restoring is not linear either: flagged, not refused. Source:
-// [Ikeda1978], [ITTC2011]. Cost: two solutions and kSteps evaluations, 5 us; no state.
+// [Ikeda1978], [ITTC2011]. Cost: two solutions and kSteps evaluations, 9 us; no state.
 #pragma once
 
 #include <cstdint>

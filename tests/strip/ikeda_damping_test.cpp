@@ -166,12 +166,12 @@ TEST(IkedaDamping, TableOfTheKeelsPressureMeetsTheDirectSum) {
 }
 
 TEST(IkedaDamping, FourPlacesAPanelOfTheKeelAreEnough) {
-  // The same ship with three stations between any two: the keel's integral runs over the same straight lines.
+  // Against the keel in 450 pieces, each with four places of its own.
   const Hull hull = reference_ship();
   const auto ship = loaded(hull);
   double fine = 0.0;
   constexpr int kPieces = 450;
-  for (int i = 0; i < kPieces; ++i) {  // short keels, added up
+  for (int i = 0; i < kPieces; ++i) {
     const double from = 65.0 + 45.0 * i / kPieces;
     fine += keel_pressure_damping(*ship, {from, from + 45.0 / kPieces, 0.45}, 0.2);
   }
