@@ -7,14 +7,14 @@
 // factor on b44 at V = 0 in its place, less what strip theory has. By default strip theory's alone, which is
 // the safe side: but on a hull with closed ends it is NONE (the integral of the slope is the jump at the
 // ends: S-175, b44 the same at 0, 10 and 20 kn to rounding), while Ikeda's factor is 4.7 and 7.8 there.
-// Friction is laminar, as in the source: on a full-scale ship all friction is 1 to 3 % of the rest at V = 0.
-// Range, flagged (RollDampingRange): that of the ships which [Kawahara2009] evaluated the method over, C_B
-// 0.5 ... 0.85, C_M 0.9 ... 0.99, B/d 2.5 ... 4.5, OG/d (down) -1.5 ... 0.2, keels 0.01 ... 0.06 of B and
-// 0.05 ... 0.4 of L, omega-hat up to 1, amplitudes up to 20 degrees. Sections outside the section's range are
-// brought into it (ikeda_section()) and flagged where they make more than half of the eddies: of the S-175,
-// whose bulb and stern are, 38 %.
-// Expected error: 20 to 30 % of the whole within the range [ITTC2011]. Cost: 0.1 ms when the loading
-// changes. No state.
+// Friction is laminar, as in the source: on a full-scale ship all friction is 1 to 2 % of the whole at V = 0
+// and 5 to 10 degrees. Range, flagged (RollDampingRange): that of the ships which [Kawahara2009] evaluated
+// the method over, C_B 0.5 ... 0.85, C_M 0.9 ... 0.99, B/d 2.5 ... 4.5, OG/d (down) -1.5 ... 0.2, keels 0.01
+// ... 0.06 of B and 0.05 ... 0.4 of L, omega-hat up to 1, amplitudes up to 20 degrees. Sections outside the
+// section's range are brought into it (ikeda_section()) and flagged where they make more than half of the
+// eddies: of the S-175, whose bulb and stern are, 38 %. Expected error of a whole ship: not known here.
+// Kawahara's regression of the same method has 1.7 times the eddies and 1.0 to 1.4 times the keels' damping
+// for the S-175; single sections: ikeda_section.hpp. Cost: 0.1 ms when the loading changes. No state.
 #pragma once
 
 #include <cstdint>
