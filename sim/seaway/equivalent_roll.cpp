@@ -101,8 +101,9 @@ RollDampingModel law_model(const RollDampingLaw& law, double natural_frequency) 
 EquivalentRoll fit_roll_law(const RollDampingModel& model, double speed, Simulation& simulation) {
   simulation.law = {.linear = small_roll_damping(model, speed)};
   EquivalentRoll roll = equivalent_roll(simulation);
-  constexpr int kRounds = 12;  // a contraction: damping grows by less than roll falls
-  for (int i = 0; i < kRounds && roll.roll_rms > 0.0; ++i) {
+  constexpr int kRounds = 12;      // a contraction: damping grows by less than roll falls
+  constexpr double kStill = 1e-6;  // rad: less is rounding, to which nothing can be fitted
+  for (int i = 0; i < kRounds && roll.roll_rms > kStill; ++i) {
     simulation.law = fitted_law(model, speed, roll.roll_rms, roll.rate_rms / roll.roll_rms);
     roll = equivalent_roll(simulation);
   }

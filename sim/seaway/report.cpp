@@ -10,6 +10,13 @@
 namespace quickstrip::seaway {
 namespace {
 
+constexpr const char* kFooter =
+    "\nAn encounter is a cycle between zero up-crossings of the channel (of the relative motion for "
+    "events);\n"
+    "roll and accelerations count on both sides, a half cycle each, their rate is one side's. A slam is a\n"
+    "re-entry faster than the threshold; a propeller's tip counts when it goes back in. Intervals: from the\n"
+    "scatter between the blocks, which know nothing of each other (clusters included).\n";
+
 std::string joined(const std::vector<std::string>& words, const char* between) {
   std::string out;
   for (const std::string& word : words) {
@@ -83,7 +90,7 @@ std::string channel_line(const Report& r, std::size_t c) {
   const QuantityResponse& said = r.stated->quantities[c];
   const double unit = shown(channel);
   return fmt::format(
-      "{:<26}{:<22}{:<6}{:>9.4g} ±{:<8.2g}{:>9.4g}{:>8.3f}{:>8.2f}{:>8.2f}{:>8.2f}{:>7.2f}{:>9.4g}\n",
+      "{:<26}{:<22}{:<6}{:>9.4g} ±{:<8.2g} {:>9.4g} {:>7.3f}{:>8.2f}{:>8.2f}{:>8.2f}{:>7.2f} {:>9.4g}\n",
       quantity_word(channel.quantity), place_words(channel, *r.hull),
       unit != 1.0 ? "deg" : unit_word(channel.quantity), unit * got.rms, unit * got.rms_error,
       unit * said.rms, said.rms > 0.0 ? got.rms / said.rms : 0.0, got.t2, said.t2, got.kurtosis,
@@ -168,9 +175,9 @@ std::string csv_of(const Report& r) {
 
 std::string text_of(const Report& r) {
   std::string out = heading_of(r);
-  out +=
-      fmt::format("\n{:<26}{:<22}{:<6}{:>9} {:<9}{:>9}{:>8}{:>8}{:>8}{:>8}{:>7}{:>9}\n", "quantity", "where",
-                  "unit", "rms", "", "stated", "ratio", "T2 s", "stated", "kurt.", "width", "largest");
+  out += fmt::format("\n{:<26}{:<22}{:<6}{:>9} {:<9} {:>9} {:>7}{:>8}{:>8}{:>8}{:>7} {:>9}\n", "quantity",
+                     "where", "unit", "rms", "", "stated", "ratio", "T2 s", "stated", "kurt.", "width",
+                     "largest");
   for (std::size_t c = 0; c < r.watch->channels.size(); ++c) {
     out += channel_line(r, c);
   }
@@ -180,13 +187,7 @@ std::string text_of(const Report& r) {
   for (std::size_t i = 0; i < r.counts.size(); ++i) {
     out += count_line(r, i);
   }
-  out +=
-      "\nAn encounter is a cycle between zero up-crossings of the channel (of the relative motion for slams "
-      "and"
-      " wet\ndecks); roll and accelerations count on both sides, a half cycle each, their rate is one "
-      "side's. A"
-      " slam is a\nre-entry faster than the threshold. Intervals: from the scatter between the blocks, which"
-      " know nothing of\neach other (clusters included).\n";
+  out += kFooter;
   out += explained(r);
   return out;
 }
