@@ -178,6 +178,7 @@ NoAdvice Advisor::place_sea(const StepInputs& inputs) {
 NoAdvice Advisor::advise(const OwnShip& ship) {
   output_.quality = hull_quality(loaded_, loading_) | depth_quality(ship.water_depth, sea_, loading_) |
                     (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
+  is_stabilised_ = ship.is_stabilised;
   const GridInputs inputs = grid_inputs(output_.quality);
   output_.hs = sea_.hs;
   output_.lost_tail = sea_.lost_tail;
@@ -231,6 +232,7 @@ GridInputs Advisor::grid_inputs(std::uint32_t quality) const {
           .lpp = hull_.lpp,
           .min_steerage_speed = hull_.min_steerage_speed,
           .quality = quality,
+          .is_stabilised = is_stabilised_,
           .suppresses_low_encounter = method_.low_encounter == LowEncounterRule::kPaper};
 }
 

@@ -75,6 +75,7 @@ class Advisor {
 
   State state_ = State::kNotConfigured;
   bool has_sea_ = false;
+  bool is_stabilised_ = false;  // in the last step that gave advice
   Hull hull_;
   Criteria criteria_;
   StripMethod method_;

@@ -44,8 +44,8 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(inputs.watch.channels.size());
   const ChannelSet* const with_fourth = inputs.wants_all_bandwidths ? nullptr : &inputs.channels.is_watched;
-  const Result<RollDampingInUse> damping =
-      response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments, with_fourth);
+  const Result<RollDampingInUse> damping = response_moments(
+      inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments, with_fourth, inputs.is_stabilised);
   if (!damping) {
     return damping.error();
   }

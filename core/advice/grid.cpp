@@ -112,7 +112,8 @@ Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out)
   const std::size_t directions_per_heading = kNumDirections / inputs.num_headings;
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea,
-                         inputs.suppresses_low_encounter, workspace.sweep, workspace.moments);
+                         {inputs.suppresses_low_encounter, inputs.is_stabilised}, workspace.sweep,
+                         workspace.moments);
     list_mean_added_resistance(inputs.transfer, v, inputs.sea, workspace.sweep, workspace.resistance);
     for (std::size_t h = 0; h < out.num_headings; ++h) {
       out.cells[v][h] = judge_cell(inputs, h * directions_per_heading, out.speeds[v], workspace);

@@ -36,6 +36,7 @@ struct GridInputs {
   double lpp = 0.0;                         // m, for the Froude number
   double min_steerage_speed = 0.0;          // m/s
   std::uint32_t quality = 0;                // bits of the hull and its loading
+  bool is_stabilised = false;               // stabilisers work
   bool suppresses_low_encounter = false;    // LowEncounterRule::kPaper: loads forced to zero there
   bool wants_all_bandwidths = false;        // of every quantity in a response, not of the watched ones alone
 };

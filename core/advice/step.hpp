@@ -20,6 +20,7 @@ struct OwnShip {
   double speed = 0.0;                   // through the water, or over ground and said so [m/s]
   bool speed_over_ground = false;       // fallback: speed through the water is not known
   std::optional<double> water_depth{};  // from the surface [m]; empty: not known
+  bool is_stabilised = false;           // own ship says that her stabilisers work
 };
 
 /// Core has no clock: age is the session's to judge, and `no_advice` its way to say that an input is missing

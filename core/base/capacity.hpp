@@ -30,10 +30,10 @@ struct Host {
   // and points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
   static constexpr std::size_t kMaxPeakIntervals = 14;
   static constexpr std::size_t kMaxPeakPoints = 48;
-  // Roll in a seaway, whose damping grows with it: dampings at which variances are summed, three for a
-  // parabola between them, and nodes of encounter frequency, 16 to a natural frequency (roll_update.hpp).
-  static constexpr std::size_t kRollDampingLevels = 3;
-  static constexpr std::size_t kNumRollUpdateNodes = 128;
+  // Roll in a seaway, whose damping grows with it: dampings at which variances are summed (two: between them
+  // they err by 0.3 % of an RMS, tests/response), and nodes of encounter frequency (roll_update.hpp).
+  static constexpr std::size_t kRollDampingLevels = 2;
+  static constexpr std::size_t kNumRollUpdateNodes = 96;
   // Whether the grid holds a second added resistance, the semi-empirical one: a float a speed, direction and
   // frequency.
   static constexpr bool kKeepsEmpiricalResistance = true;
@@ -62,7 +62,7 @@ struct M7 {
   static constexpr std::size_t kMaxFrequencies = 24;
   static constexpr std::size_t kMaxPeakIntervals = 4;
   static constexpr std::size_t kMaxPeakPoints = 12;
-  static constexpr std::size_t kRollDampingLevels = 3;
+  static constexpr std::size_t kRollDampingLevels = 2;
   static constexpr std::size_t kNumRollUpdateNodes = 64;
   static constexpr bool kKeepsEmpiricalResistance = false;  // no room
   static constexpr std::size_t kNumEncounterNodes = 48;

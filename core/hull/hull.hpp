@@ -54,11 +54,19 @@ struct BilgeKeel {
   double breadth = 0.0;
 };
 
+/// Active stabilisers, while own ship says that they work: damping as a ratio of critical at a speed. Fins
+/// live from lift: as the square of the speed below it, no more above.
+struct Stabiliser {
+  double ratio = 0.0;
+  double speed = 0.0;  // m/s, > 0
+};
+
 /// Ratio: b44,added = 2 ratio c44 / omega_n, with omega_n from a44(omega_n); ADDED to potential damping.
 struct RollDamping {
   RollDampingMethod method = RollDampingMethod::kRatio;
   double ratio = 0.05;
   std::optional<BilgeKeel> bilge_keel;
+  std::optional<Stabiliser> stabiliser;
 };
 
 enum class PointRole : std::uint8_t { kBridge, kForwardPerpendicular, kDeck, kPassengers, kOther };

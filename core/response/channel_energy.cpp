@@ -132,6 +132,11 @@ void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::
     out.low[f] = is_low ? 1.0 : 0.0;
     out.has_low = out.has_low || is_low;
   }
+  const RollPeak& peak = transfer.peak[speed][solved_m];
+  for (std::size_t p = 0; p < peak.num_points; ++p) {
+    const auto omega = static_cast<double>(peak.omega[p]);
+    out.at_points[p] = omega - wave_number(omega, transfer.gravity) * slope;
+  }
 }
 
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
@@ -175,13 +180,12 @@ void node_energies(const TransferFunctions& transfer, std::size_t speed, std::si
 }
 
 void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                    const Channel& channel, const LateralMotions* damped, PointValues& out) {
+                    const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
+                    PointValues& out) {
   QS_CHECK(channel.form.wave == 0.0);
   const std::size_t solved_m = solved_direction(m);
   const RollPeak& peak = transfer.peak[speed][solved_m];
   const MotionRow& row = transfer.row[speed][solved_m];
-  PointValues omega_e{};
-  list_point_encounters(transfer, speed, solved_m, omega_e);
   PointValues re{};
   PointValues im{};
   for (std::size_t mode = 0; mode < 6; ++mode) {
@@ -192,29 +196,18 @@ void point_energies(const TransferFunctions& transfer, std::size_t speed, std::s
     if (is_lateral(mode)) {
       const auto& re_of = damped != nullptr ? damped->point_re : peak.re;
       const auto& im_of = damped != nullptr ? damped->point_im : peak.im;
-      add_motion(c, omega_e, re_of[mode / 2], im_of[mode / 2], peak.num_points, re, im);
+      add_motion(c, encounters.at_points, re_of[mode / 2], im_of[mode / 2], peak.num_points, re, im);
       continue;
     }
     PointValues re_of{};
     PointValues im_of{};
     to_points(transfer, peak, row.re[mode], re_of);
     to_points(transfer, peak, row.im[mode], im_of);
-    add_motion(c, omega_e, re_of, im_of, peak.num_points, re, im);
+    add_motion(c, encounters.at_points, re_of, im_of, peak.num_points, re, im);
   }
   square(re, im, peak.num_points, out);
   if (channel.is_rate) {
-    multiply_by_square(omega_e, peak.num_points, out);
-  }
-}
-
-void list_point_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                           PointValues& out) {
-  const RollPeak& peak = transfer.peak[speed][solved_m];
-  const EncounterAngle mu = relative_direction(solved_m);
-  const double slope = transfer.speeds[speed] * std::cos(mu.radians);
-  for (std::size_t p = 0; p < peak.num_points; ++p) {
-    const auto omega = static_cast<double>(peak.omega[p]);
-    out[p] = omega - wave_number(omega, transfer.gravity) * slope;
+    multiply_by_square(encounters.at_points, peak.num_points, out);
   }
 }
 

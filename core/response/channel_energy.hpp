@@ -38,8 +38,9 @@ using PointValues = std::array<double, kMaxPeakPoints>;
 
 /// How the waves of one direction are met, by frequency.
 struct Encounters {
-  NodeValues frequency{};  // omega_e, signed [rad/s]
-  NodeValues low{};        // 1 below the floor, else 0
+  NodeValues frequency{};   // omega_e, signed [rad/s]
+  NodeValues low{};         // 1 below the floor, else 0
+  PointValues at_points{};  // omega_e at the points of the roll peak
   bool has_low = false;
 };
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
@@ -69,10 +70,7 @@ void node_energies(const TransferFunctions& transfer, std::size_t speed, std::si
 
 /// At the points of the roll peak; for channels without incident wave.
 void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                    const Channel& channel, const LateralMotions* damped, PointValues& out);
-
-/// omega_e at the points of the peak.
-void list_point_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                           PointValues& out);
+                    const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
+                    PointValues& out);
 
 }  // namespace quickstrip

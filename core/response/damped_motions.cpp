@@ -2,55 +2,73 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <limits>
+#include <span>
 
 #include "core/base/check.hpp"
 
 namespace quickstrip {
 namespace {
 
-using Complex = std::complex<double>;
-using Lateral = std::array<Complex, 3>;  // sway, roll, yaw
 constexpr std::size_t kMoreLevels = kRollDampingLevels - 1;
 
-// At every level beyond the first. `met`: |omega_e| as the equations saw it. Equations at a negative
-// frequency are the conjugates of those at a positive one, and so are their roots.
-std::array<Lateral, kMoreLevels> damp(const RollUpdate& update, double omega_e, double met, Lateral motion) {
-  const RollChange change = roll_change(update.table, met);
-  const bool is_conjugate = omega_e < 0.0;
-  const auto turned = [is_conjugate](const Complex& z) { return is_conjugate ? std::conj(z) : z; };
-  std::array<Lateral, kMoreLevels> out;
-  out.fill(motion);
-  if (change.is_negligible) {
-    return out;
-  }
-  for (Complex& one : motion) {
-    one = turned(one);
-  }
-  for (std::size_t l = 0; l < kMoreLevels; ++l) {
-    const Complex resistance(0.0, met * (update.levels.added[l + 1] - update.levels.added[0]));
-    const Complex less_roll = -motion[1] * resistance / (change.impedance + resistance);
-    out[l] = {turned(motion[0] + change.sway_per_roll * less_roll), turned(motion[1] + less_roll),
-              turned(motion[2] + change.yaw_per_roll * less_roll)};
-  }
-  return out;
-}
+// What the ship answers to a roll moment at a list of frequencies of encounter, in single precision as the
+// motions are.
+template <std::size_t N>
+struct Answers {
+  using Values = std::array<float, N>;
+  Values met{};   // |omega_e| as the equations saw it; 0 where damping does not matter
+  Values side{};  // -1 where omega_e is negative: equations, and so their roots, are conjugates there
+  Values impedance_re{};
+  Values impedance_im{};
+  Values sway_re{};
+  Values sway_im{};
+  Values yaw_re{};
+  Values yaw_im{};
 
-template <typename Values>
-Lateral read(const Values& re, const Values& im, std::size_t first, std::size_t stride, std::size_t i) {
-  Lateral out;
-  for (std::size_t j = 0; j < out.size(); ++j) {
-    const std::size_t mode = first + stride * j;
-    out[j] = {static_cast<double>(re[mode][i]), static_cast<double>(im[mode][i])};
+  void set(const RollUpdateTable& table, std::size_t i, double omega_e, double floor) {
+    const double met_here = std::max(std::fabs(omega_e), floor);
+    const RollChange change = roll_change(table, met_here);
+    met[i] = change.is_negligible ? 0.0F : static_cast<float>(met_here);
+    side[i] = omega_e < 0.0 ? -1.0F : 1.0F;
+    impedance_re[i] = static_cast<float>(change.impedance.real());
+    impedance_im[i] = static_cast<float>(change.impedance.imag());
+    sway_re[i] = static_cast<float>(change.sway_per_roll.real());
+    sway_im[i] = static_cast<float>(change.sway_per_roll.imag());
+    yaw_re[i] = static_cast<float>(change.yaw_per_roll.real());
+    yaw_im[i] = static_cast<float>(change.yaw_per_roll.imag());
   }
-  return out;
-}
+};
 
-template <typename Values>
-void write(const Lateral& motion, std::size_t i, Values& re, Values& im) {
-  for (std::size_t j = 0; j < motion.size(); ++j) {
-    re[j][i] = static_cast<float>(motion[j].real());
-    im[j][i] = static_cast<float>(motion[j].imag());
+// Sway, roll and yaw, real and imaginary parts.
+template <std::size_t N>
+using Lateral = std::array<std::array<float, N>, 3>;
+
+// One level, `more` damping: roll + less, less = -roll i r / (D + i r), r = omega_e more; sway and yaw follow
+// it. No branches: the compiler makes vectors of it.
+template <std::size_t N>
+void damp(const Answers<N>& answer, std::size_t n, double more,
+          const std::array<std::span<const float, N>, 3>& re,
+          const std::array<std::span<const float, N>, 3>& im, Lateral<N>& out_re, Lateral<N>& out_im) {
+  const auto added = static_cast<float>(more);
+  for (std::size_t i = 0; i < n; ++i) {
+    const float r = answer.met[i] * added;
+    const float a = answer.impedance_re[i];
+    const float b = answer.impedance_im[i] + r;
+    const float factor = -r / std::max(a * a + b * b, std::numeric_limits<float>::min());
+    const float roll_im = answer.side[i] * im[1][i];
+    const float less_re = factor * (re[1][i] * b - roll_im * a);
+    const float less_im = factor * (re[1][i] * a + roll_im * b);
+    const float s_re = answer.sway_re[i];
+    const float s_im = answer.sway_im[i];
+    const float y_re = answer.yaw_re[i];
+    const float y_im = answer.yaw_im[i];
+    out_re[0][i] = re[0][i] + s_re * less_re - s_im * less_im;
+    out_im[0][i] = im[0][i] + answer.side[i] * (s_re * less_im + s_im * less_re);
+    out_re[1][i] = re[1][i] + less_re;
+    out_im[1][i] = im[1][i] + answer.side[i] * less_im;
+    out_re[2][i] = re[2][i] + y_re * less_re - y_im * less_im;
+    out_im[2][i] = im[2][i] + answer.side[i] * (y_re * less_im + y_im * less_re);
   }
 }
 
@@ -61,22 +79,21 @@ void damp_motions(const TransferFunctions& transfer, std::size_t speed, std::siz
   const RollUpdate& update = transfer.roll_update[speed];
   QS_CHECK(update.levels.count == kRollDampingLevels);
   const MotionRow& row = transfer.row[speed][solved_m];
-  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-    const double omega_e = encounters.frequency[f];
-    const double met = std::max(std::fabs(omega_e), transfer.encounter_floor[f]);
-    const auto damped = damp(update, omega_e, met, read(row.re, row.im, 1, 2, f));
-    for (std::size_t l = 0; l < kMoreLevels; ++l) {
-      write(damped[l], f, out[l].re, out[l].im);
-    }
-  }
   const RollPeak& peak = transfer.peak[speed][solved_m];
-  PointValues omega_e{};
-  list_point_encounters(transfer, speed, solved_m, omega_e);
+  Answers<kMaxFrequencies> at_nodes;
+  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+    at_nodes.set(update.table, f, encounters.frequency[f], transfer.encounter_floor[f]);
+  }
+  Answers<kMaxPeakPoints> at_points;
   for (std::size_t p = 0; p < peak.num_points; ++p) {
-    const auto damped = damp(update, omega_e[p], std::fabs(omega_e[p]), read(peak.re, peak.im, 0, 1, p));
-    for (std::size_t l = 0; l < kMoreLevels; ++l) {
-      write(damped[l], p, out[l].point_re, out[l].point_im);
-    }
+    at_points.set(update.table, p, encounters.at_points[p], 0.0);  // points keep off the floor
+  }
+  for (std::size_t l = 0; l < kMoreLevels; ++l) {
+    const double more = update.levels.added[l + 1] - update.levels.added[0];
+    damp<kMaxFrequencies>(at_nodes, transfer.num_frequencies, more, {row.re[1], row.re[3], row.re[5]},
+                          {row.im[1], row.im[3], row.im[5]}, out[l].re, out[l].im);
+    damp<kMaxPeakPoints>(at_points, peak.num_points, more, {peak.re[0], peak.re[1], peak.re[2]},
+                         {peak.im[0], peak.im[1], peak.im[2]}, out[l].point_re, out[l].point_im);
   }
 }
 

@@ -1,8 +1,8 @@
 // Sway, roll and yaw of one speed in the waves of one direction, at another roll damping than the one that
 // the transfer functions were solved with: at the wave frequencies and at the points of the roll peak.
 //
-// Exact but for the tabulated admittance (strip/roll_update.hpp). Cost: some 60 flops a frequency or point
-// for the table, 20 more for each damping. Memory: 2.3 kB a direction and damping.
+// Exact but for the tabulated admittance (strip/roll_update.hpp) and single precision. Cost: some 50 flops a
+// frequency or point for the table, 40 more for each damping. Memory: 2.3 kB a direction and damping.
 #pragma once
 
 #include <array>

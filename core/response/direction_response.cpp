@@ -29,19 +29,18 @@ void list_values(const TransferFunctions& transfer, std::size_t speed, std::size
   node_energies(transfer, speed, m, channel, damped, encounters, wave, out.nodes);
   out.has_points = feels_roll(channel) && transfer.peak[speed][solved_direction(m)].num_points > 0;
   if (out.has_points) {
-    point_energies(transfer, speed, m, channel, damped, out.points);
+    point_energies(transfer, speed, m, channel, damped, encounters, out.points);
   }
 }
 
 void integrate_moment(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                      const Encounters& encounters, const SeaEnergy& sea, Moment moment,
-                      const ChannelValues& values, std::span<double> out) {
+                      const Encounters& encounters, const PeakShapes& shapes, const SeaEnergy& sea,
+                      Moment moment, const ChannelValues& values, std::span<double> out) {
   const std::size_t solved_m = solved_direction(m);
   const RollPeak& peak = transfer.peak[speed][solved_m];
-  const auto omega = std::span(transfer.omega).first(transfer.num_frequencies);
   NodeValues nodes = values.nodes;
   if (moment != Moment::kZeroth) {
-    for (std::size_t f = 0; f < omega.size(); ++f) {
+    for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
       nodes[f] *= factor_of(moment, encounters.frequency[f], encounters.low[f]);
     }
   }
@@ -51,14 +50,12 @@ void integrate_moment(const TransferFunctions& transfer, std::size_t speed, std:
   }
   PointValues points = values.points;
   if (moment != Moment::kZeroth) {
-    PointValues omega_e{};
-    list_point_encounters(transfer, speed, solved_m, omega_e);
     for (std::size_t p = 0; p < peak.num_points; ++p) {
-      points[p] *= factor_of(moment, omega_e[p], 0.0);
+      points[p] *= factor_of(moment, encounters.at_points[p], 0.0);
     }
   }
   PeakTerms terms{};
-  list_peak_terms(peak, omega, nodes, points, terms);
+  list_peak_terms(peak, shapes, nodes, points, terms);
   integrate_over_bands(sea, nodes, peak, &terms, out);
 }
 

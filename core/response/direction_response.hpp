@@ -30,7 +30,7 @@ void list_values(const TransferFunctions& transfer, std::size_t speed, std::size
 
 /// Integral over each band of the sea, out[b].
 void integrate_moment(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                      const Encounters& encounters, const SeaEnergy& sea, Moment moment,
-                      const ChannelValues& values, std::span<double> out);
+                      const Encounters& encounters, const PeakShapes& shapes, const SeaEnergy& sea,
+                      Moment moment, const ChannelValues& values, std::span<double> out);
 
 }  // namespace quickstrip

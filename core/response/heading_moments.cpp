@@ -57,7 +57,8 @@ void integrate_at(const Subject& subject, std::size_t m, Moment moment, const Ch
     out.fill(0.0);
     return;
   }
-  integrate_moment(subject.transfer, subject.speed, m, encounters, subject.sea, moment, values, out);
+  integrate_moment(subject.transfer, subject.speed, m, encounters, work.shapes[solved_direction(m)],
+                   subject.sea, moment, values, out);
 }
 
 /// Integrals by relative direction and band, even and odd in direction.
@@ -223,16 +224,16 @@ void list_at_levels(const Sweep& sweep, std::size_t c, bool wants_second, SweepW
 }
 
 /// From the moments of roll at each level, in work.at_level.
-void linearise_headings(const Sweep& sweep, SweepWorkspace& work, HeadingDamping& out) {
-  const RollDampingLevels& levels = sweep.transfer.roll_update[sweep.speed].levels;
+void linearise_headings(const Sweep& sweep, bool is_stabilised, SweepWorkspace& work, HeadingDamping& out) {
+  const RollDampers dampers{sweep.transfer.roll_damping, sweep.transfer.roll_update[sweep.speed].levels,
+                            sweep.transfer.speeds[sweep.speed], is_stabilised};
   for (std::size_t h = 0; h < kNumDirections; ++h) {
     RollVariances variances;
     for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
       variances.roll[l] = work.at_level[l].m0[h];
       variances.velocity[l] = work.at_level[l].m2[h];
     }
-    const LinearisedRoll roll =
-        linearise_roll(sweep.transfer.roll_damping, levels, sweep.transfer.speeds[sweep.speed], variances);
+    const LinearisedRoll roll = linearise_roll(dampers, variances);
     out.added[h] = roll.damping;
     out.residual[h] = roll.residual;
     for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
@@ -261,11 +262,13 @@ void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const 
 }
 
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
-                          const Needs& needs, const SeaEnergy& sea, bool counts_wave_energy,
+                          const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,
                           SweepWorkspace& work, HeadingMoments& out) {
+  const auto omega = std::span(transfer.omega).first(transfer.num_frequencies);
   bool has_low = false;
   for (std::size_t m = 0; m <= kHalf; ++m) {
     list_encounters(transfer, speed, m, work.encounters[m]);
+    list_peak_shapes(transfer.peak[speed][m], omega, work.shapes[m]);
     has_low = has_low || work.encounters[m].has_low;
   }
   const Sweep sweep{transfer, speed, watch, needs, sea, has_low};
@@ -279,7 +282,7 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
       damp_motions(transfer, speed, m, work.encounters[m], work.damped[m]);
     }
     list_at_levels(sweep, roll, true, work);
-    linearise_headings(sweep, work, out.roll_damping);
+    linearise_headings(sweep, options.is_stabilised, work, out.roll_damping);
     blend(work, sea.num_systems, true, out.channel[roll]);
   }
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
@@ -295,7 +298,7 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
     }
   }
   out.low_encounter_energy.fill(0.0);
-  if (counts_wave_energy && has_low) {
+  if (options.counts_wave_energy && has_low) {
     Subject waves{transfer, speed, nullptr, 0, sea, 0, {}};
     want(Moment::kLowEncounter, true, waves);
     integrate(waves, work);

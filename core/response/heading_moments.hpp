@@ -63,6 +63,7 @@ struct SweepWorkspace {
   std::array<std::array<IncidentWave, kNumDirections / 4 + 1>, kMaxRelativeChannels> wave{};
   std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
   std::array<Encounters, kNumSolvedDirections> encounters{};
+  std::array<PeakShapes, kNumSolvedDirections> shapes{};
   std::array<HalfCircle<kBandWidth>, 3> even{};  // integrals by moment, direction and band
   std::array<HalfCircle<kBandWidth>, 3> odd{};
   HalfCircle<kBandWidth> cosine{};  // their transforms
@@ -83,9 +84,14 @@ struct SweepWorkspace {
 void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const Needs& needs,
                    SweepWorkspace& work);
 
-/// Fills what is needed; the rest keeps what it was. `counts_wave_energy`: low_encounter_energy too.
+struct SweepOptions {
+  bool counts_wave_energy = false;  // low_encounter_energy too
+  bool is_stabilised = false;       // stabilisers work
+};
+
+/// Fills what is needed; the rest keeps what it was.
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
-                          const Needs& needs, const SeaEnergy& sea, bool counts_wave_energy,
+                          const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,
                           SweepWorkspace& work, HeadingMoments& out);
 
 }  // namespace quickstrip

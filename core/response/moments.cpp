@@ -63,6 +63,7 @@ struct Course {
   const Watch& watch;
   const SeaEnergy& sea;
   Heading heading;
+  bool is_stabilised;
 
   [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
 };
@@ -71,6 +72,7 @@ struct Course {
 struct Direction {
   std::size_t m = 0;
   Encounters encounters;
+  PeakShapes shapes;
   RelativeEnergy energy;
   std::array<LateralMotions, kRollDampingLevels - 1> damped;
 
@@ -87,6 +89,8 @@ bool look_towards(const Course& course, std::size_t m, Direction& out) {
     return false;
   }
   list_encounters(course.transfer, course.speed, solved_direction(m), out.encounters);
+  list_peak_shapes(course.transfer.peak[course.speed][solved_direction(m)],
+                   std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
   if (course.levels().count > 1) {
     damp_motions(course.transfer, course.speed, solved_direction(m), out.encounters, out.damped);
   }
@@ -107,8 +111,8 @@ void add_channel(const Course& course, const Direction& direction, std::size_t c
               direction.encounters, wave, values);
   BandFactors integrals{};
   const auto all = [&](Moment moment) {
-    integrate_moment(course.transfer, course.speed, direction.m, direction.encounters, sea, moment, values,
-                     integrals);
+    integrate_moment(course.transfer, course.speed, direction.m, direction.encounters, direction.shapes, sea,
+                     moment, values, integrals);
     return weight * of_all_systems(sea, direction.energy, integrals);
   };
   out.m0 += all(Moment::kZeroth);
@@ -143,7 +147,8 @@ LinearisedRoll linearise_course(const Course& course) {
     variances.roll[l] = roll[l].m0;
     variances.velocity[l] = roll[l].m2;
   }
-  return linearise_roll(course.transfer.roll_damping, course.levels(), course.transfer.speeds[course.speed],
+  return linearise_roll({course.transfer.roll_damping, course.levels(), course.transfer.speeds[course.speed],
+                         course.is_stabilised},
                         variances);
 }
 
@@ -181,12 +186,13 @@ EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, st
                         const SeaEnergy& sea, const RelativeEnergy& energy) {
   Encounters encounters;
   list_encounters(transfer, speed, solved_direction(m), encounters);
+  const PeakShapes shapes;  // the waves themselves have no peak
   BandFactors integrals{};
   ChannelValues values;
   values.nodes.fill(1.0);
-  integrate_moment(transfer, speed, m, encounters, sea, Moment::kLowEncounter, values, integrals);
+  integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kLowEncounter, values, integrals);
   const double low = of_all_systems(sea, energy, integrals);
-  integrate_moment(transfer, speed, m, encounters, sea, Moment::kZeroth, values, integrals);
+  integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kZeroth, values, integrals);
   return {low, of_all_systems(sea, energy, integrals)};
 }
 
@@ -218,7 +224,8 @@ std::size_t wave_direction(std::size_t h, std::size_t m) {
 
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
-                                          std::span<ResponseMoments> out, const ChannelSet* with_fourth) {
+                                          std::span<ResponseMoments> out, const ChannelSet* with_fourth,
+                                          bool is_stabilised) {
   if (out.size() != watch.channels.size() || sea.num_frequencies != transfer.num_frequencies) {
     return Error::kTooMany;
   }
@@ -235,10 +242,11 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
   }
   RollDampingInUse damping;
   if (bracket->part < 1.0) {
-    add_course({transfer, bracket->lower, watch, sea, heading}, 1.0 - bracket->part, out, damping);
+    add_course({transfer, bracket->lower, watch, sea, heading, is_stabilised}, 1.0 - bracket->part, out,
+               damping);
   }
   if (bracket->part > 0.0) {
-    add_course({transfer, bracket->upper, watch, sea, heading}, bracket->part, out, damping);
+    add_course({transfer, bracket->upper, watch, sea, heading, is_stabilised}, bracket->part, out, damping);
   }
   // The cubic of a density may undershoot beside a sharp edge of a measured system.
   for (ResponseMoments& moments : out) {

@@ -49,10 +49,12 @@ struct RollDampingInUse {
 /// Returns the roll damping that the moments rest on. out: one per channel of the watch. Errors:
 /// kSpeedOutOfGrid, kNotFinite; kTooMany when the sea and the transfer functions have different frequencies
 /// or `out` another length than the watch. `with_fourth`: the channels of which m4 is wanted; null: all.
+/// `is_stabilised`: stabilisers work.
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
                                           std::span<ResponseMoments> out,
-                                          const ChannelSet* with_fourth = nullptr);
+                                          const ChannelSet* with_fourth = nullptr,
+                                          bool is_stabilised = false);
 
 /// The share of the wave energy itself that meets the ship below the encounter-frequency floor, in [0, 1].
 /// Needed where loads are forced to zero there ([Journee1992] §2): the variances then do not show what they

@@ -5,21 +5,37 @@
 
 namespace quickstrip {
 
-void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,
-                     const PointValues& at_points, PeakTerms& out) {
+void list_peak_shapes(const RollPeak& peak, std::span<const double> omega, PeakShapes& out) {
   for (std::size_t i = 0; i < peak.intervals.size(); ++i) {
     const PeakInterval& interval = peak.intervals[i];
     const double from = omega[interval.node];
     const double by_width = 1.0 / (omega[interval.node + 1u] - from);
-    const double low = at_nodes[interval.node];
-    const double rise = at_nodes[interval.node + 1u] - low;
-    out[i] = {};
+    out.whole[i] = {};
+    out.rising[i] = {};
     for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
       const double t = (static_cast<double>(peak.omega[p]) - from) * by_width;
-      const double beyond = static_cast<double>(peak.weight[p]) * (at_points[p] - (low + t * rise));
       const auto shape = legendre(t);
       for (std::size_t l = 0; l < kDensityTerms; ++l) {
-        out[i][l] += beyond * shape[l];
+        out.point[p][l] = static_cast<double>(peak.weight[p]) * shape[l];
+        out.whole[i][l] += out.point[p][l];
+        out.rising[i][l] += t * out.point[p][l];
+      }
+    }
+  }
+}
+
+void list_peak_terms(const RollPeak& peak, const PeakShapes& shapes, const NodeValues& at_nodes,
+                     const PointValues& at_points, PeakTerms& out) {
+  for (std::size_t i = 0; i < peak.intervals.size(); ++i) {
+    const PeakInterval& interval = peak.intervals[i];
+    const double low = at_nodes[interval.node];
+    const double rise = at_nodes[interval.node + 1u] - low;
+    for (std::size_t l = 0; l < kDensityTerms; ++l) {
+      out[i][l] = -low * shapes.whole[i][l] - rise * shapes.rising[i][l];
+    }
+    for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
+      for (std::size_t l = 0; l < kDensityTerms; ++l) {
+        out[i][l] += at_points[p] * shapes.point[p][l];
       }
     }
   }

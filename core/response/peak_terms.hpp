@@ -21,9 +21,18 @@ namespace quickstrip {
 /// By interval of a RollPeak, in its order.
 using PeakTerms = std::array<std::array<double, kDensityTerms>, kMaxPeakIntervals>;
 
+/// What does not depend on the response: each point's weight times Legendre terms, and their sums over each
+/// interval, plain and times the place in it, which a straight line takes.
+struct PeakShapes {
+  std::array<std::array<double, kDensityTerms>, kMaxPeakPoints> point{};
+  PeakTerms whole{};
+  PeakTerms rising{};
+};
+void list_peak_shapes(const RollPeak& peak, std::span<const double> omega, PeakShapes& out);
+
 /// Terms of a response whose values (|H|^2, or times a power of omega_e) are `at_nodes`, the wave frequencies
-/// `omega`, and `at_points`, those of the peak.
-void list_peak_terms(const RollPeak& peak, std::span<const double> omega, const NodeValues& at_nodes,
+/// of the shapes, and `at_points`, those of the peak.
+void list_peak_terms(const RollPeak& peak, const PeakShapes& shapes, const NodeValues& at_nodes,
                      const PointValues& at_points, PeakTerms& out);
 
 /// What each band of the sea brings at one direction: integral of value times band. Values beyond the last

@@ -20,15 +20,16 @@ double blend(const ByLevel& weight, const ByLevel& values) {
 }
 
 /// The added damping that the roll at `damping` calls for.
-double called_for(const RollDampingModel& model, const RollDampingLevels& levels, double speed,
-                  const RollVariances& at, double damping) {
-  const ByLevel weight = level_weights(levels, damping);
+double called_for(const RollDampers& dampers, const RollVariances& at, double damping) {
+  const ByLevel weight = level_weights(dampers.levels, damping);
   const double roll = blend(weight, at.roll);
   const double velocity = blend(weight, at.velocity);
+  const double more = dampers.is_stabilised ? dampers.levels.stabiliser : 0.0;
   if (!(roll > 0.0) || !(velocity > 0.0)) {
-    return levels.added[0];
+    return more + small_roll_damping(dampers.model, dampers.speed);
   }
-  return added_roll_damping_gaussian(model, speed, std::sqrt(roll), std::sqrt(velocity / roll));
+  return more + added_roll_damping_gaussian(dampers.model, dampers.speed, std::sqrt(roll),
+                                            std::sqrt(velocity / roll));
 }
 
 }  // namespace
@@ -53,15 +54,15 @@ ByLevel level_weights(const RollDampingLevels& levels, double damping) {
   return weight;
 }
 
-LinearisedRoll linearise_roll(const RollDampingModel& model, const RollDampingLevels& levels, double speed,
-                              const RollVariances& at) {
-  LinearisedRoll out{
-      .damping = levels.added[0], .residual = 0.0, .weight = level_weights(levels, levels.added[0])};
-  if (levels.count == 1 || !(at.roll[0] > 0.0) || !(at.velocity[0] > 0.0)) {
+LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at) {
+  const RollDampingLevels& levels = dampers.levels;
+  LinearisedRoll out{.damping = levels.added[0], .residual = 0.0, .weight = {}};
+  out.weight = level_weights(levels, out.damping);
+  if (levels.count == 1) {
     return out;
   }
   const auto excess = [&](double log_damping) {
-    const double called = called_for(model, levels, speed, at, std::exp(log_damping));
+    const double called = called_for(dampers, at, std::exp(log_damping));
     return std::log(std::max(called, kLeastShare * levels.added[1])) - log_damping;
   };
   double x = std::log(levels.added[1]);

@@ -5,8 +5,8 @@
 // Stochastic linearisation of a Gaussian roll [ITTC2011]: quadratic damping b2 counts as sqrt(8/pi)
 // sigma_phidot b2; what the components take in the mean of such a roll, at its own RMS and its own frequency
 // omega = sigma_phidot / sigma_phi, is strip/roll_damping.hpp's. Damping and roll answer each other:
-// variances are known at a few dampings (strip/roll_update.hpp), between them as a parabola of 1 / (b + own),
-// which is what the variance of a resonant roll goes with; then ln b is found by secants, at most kMostSteps.
+// variances are known at a few dampings (strip/roll_update.hpp), between them they go with
+// 1 / (b + own) as the variance of a resonant roll does; then ln b is found by secants, at most kMostSteps.
 // Slope of the equation in ln b is within -1 ... -2, so it has one root. Expected error of the interpolation:
 // tests/response. Cost: some 0.1 us a step, four or five steps; no state.
 #pragma once
@@ -40,8 +40,15 @@ struct LinearisedRoll {
 /// Weights for an added damping >= 0.
 ByLevel level_weights(const RollDampingLevels& levels, double damping);
 
-/// With one level, or without roll: that level, no residual.
-LinearisedRoll linearise_roll(const RollDampingModel& model, const RollDampingLevels& levels, double speed,
-                              const RollVariances& at);
+/// What roll is damped by besides the ship's motion through the water itself.
+struct RollDampers {
+  const RollDampingModel& model;
+  const RollDampingLevels& levels;
+  double speed = 0.0;  // m/s
+  bool is_stabilised = false;
+};
+
+/// With one level that level, no residual; without roll the first, and what stabilisers add.
+LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at);
 
 }  // namespace quickstrip

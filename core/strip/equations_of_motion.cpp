@@ -108,7 +108,7 @@ MotionTransfer motions_under_load(const LoadedHull& hull, double omega, Encounte
 
 MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
                                   const std::array<Complex, 6>& load) {
-  return motions_under_load(hull, omega, mu, speed, load, small_roll_damping(hull.roll_damping, speed));
+  return motions_under_load(hull, omega, mu, speed, load, reference_roll_damping(hull.roll_damping, speed));
 }
 
 MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed,
@@ -124,7 +124,7 @@ MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, d
   SectionHydrodynamics section;
   section_hydrodynamics(hull, met.floored, section);
   load = wave_loads(hull, field, section, met.floored, speed);
-  solve_motions(hull, met.floored, speed, load, small_roll_damping(hull.roll_damping, speed), out.motion);
+  solve_motions(hull, met.floored, speed, load, reference_roll_damping(hull.roll_damping, speed), out.motion);
   return out;
 }
 

@@ -150,7 +150,7 @@ double roll_lever_shift(const LoadedHull& hull) {
 Status set_roll_damping(const RollDamping& given, double viscosity, LoadedHull& hull) {
   if (given.method == RollDampingMethod::kRatio) {
     set_roll_damping_ratio(hull, given.ratio);
-    return std::isfinite(small_roll_damping(hull.roll_damping, 0.0)) ? Status{} : Status{Error::kNotFinite};
+    return std::isfinite(reference_roll_damping(hull.roll_damping, 0.0)) ? Status{} : Status{Error::kNotFinite};
   }
   const Result<RollDampingModel> model = ikeda_roll_damping(hull, given.bilge_keel, viscosity);
   if (!model) {
@@ -215,6 +215,7 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
     length_integrals(out, out.node[n], out.node_integrals[n]);
   }
   out.roll_natural_frequency = roll_natural_frequency(out);
+  out.stabiliser = hull.roll_damping.stabiliser;
   return set_roll_damping(hull.roll_damping, loading.viscosity, out);
 }
 

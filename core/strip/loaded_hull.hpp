@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "core/base/capacity.hpp"
@@ -99,6 +100,7 @@ struct LoadedHull {
   double surge_added_mass_factor = 0.0;  // a11' / (rho A)
   double surge_damping_per_speed = 0.0;  // viscous b11 / V [N s2/m2]
   RollDampingModel roll_damping;         // b44 on top of potential damping
+  std::optional<Stabiliser> stabiliser;  // more while they work
   double roll_natural_frequency = 0.0;   // rad/s, with a44 there, undamped
   bool has_replaced_section = false;
 

@@ -19,7 +19,7 @@ RegularWaveRoll regular_wave_roll(const LoadedHull& hull, const WaveField& field
   std::array<Complex, 6> load{};
   RegularWaveRoll out;
   out.transfer = motion_transfer(hull, field, speed, load);
-  const double base_damping = small_roll_damping(hull.roll_damping, speed);
+  const double base_damping = reference_roll_damping(hull.roll_damping, speed);
   const double base_roll = wave_amplitude * std::abs(out.transfer.motion[3]);
   const double omega =
       std::max(std::fabs(out.transfer.encounter_frequency), encounter_floor(hull, field.omega));

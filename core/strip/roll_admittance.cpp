@@ -7,7 +7,7 @@ namespace quickstrip {
 RollAdmittance roll_admittance(const LoadedHull& hull, double omega_e, double speed) {
   using Complex = std::complex<double>;
   HydrodynamicCoefficients c = hydrodynamic_coefficients(hull, omega_e, speed);
-  c.b[3][3] += small_roll_damping(hull.roll_damping, speed);
+  c.b[3][3] += reference_roll_damping(hull.roll_damping, speed);
   const auto z = [&](std::size_t i, std::size_t j, double inertia, double stiffness) {
     return Complex(stiffness - omega_e * omega_e * (inertia + c.a[i][j]), omega_e * c.b[i][j]);
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/angles.hpp"
 #include "core/base/constants.hpp"
 #include "core/strip/loaded_hull.hpp"
 
@@ -96,6 +97,11 @@ double added_roll_damping_gaussian(const RollDampingModel& model, double speed, 
 
 double small_roll_damping(const RollDampingModel& model, double speed) {
   return added_roll_damping(model, speed, 0.0, model.natural_frequency);
+}
+
+double reference_roll_damping(const RollDampingModel& model, double speed) {
+  constexpr double kReferenceAmplitude = radians(3.0);
+  return added_roll_damping(model, speed, kReferenceAmplitude, model.natural_frequency);
 }
 
 bool depends_on_amplitude(const RollDampingModel& model) {

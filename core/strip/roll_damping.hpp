@@ -101,8 +101,13 @@ double added_roll_damping(const RollDampingModel& model, double speed, double am
 /// sqrt(8/pi) sigma_rate B2, stochastic linearisation's.
 double added_roll_damping_gaussian(const RollDampingModel& model, double speed, double rms, double omega);
 
-/// The limit for vanishing roll, at the natural frequency: what transfer functions are solved with.
+/// The limit for vanishing roll, at the natural frequency.
 double small_roll_damping(const RollDampingModel& model, double speed);
+
+/// Of roll of 3 degrees at the natural frequency: what transfer functions are solved with. A ship that rolls
+/// less is of no interest, and at rest the limit for vanishing roll is so small (0.3 % of critical for the
+/// S-175) that its resonance would need frequencies of its own.
+double reference_roll_damping(const RollDampingModel& model, double speed);
 
 /// False: small_roll_damping() is all there is, at any frequency.
 bool depends_on_amplitude(const RollDampingModel& model);

@@ -11,21 +11,21 @@
 namespace quickstrip {
 namespace {
 
-constexpr double kHighest = 8.0;  // of the natural frequency
+constexpr double kHighest = 6.0;  // of the natural frequency
 // Where linear roll has lost its meaning altogether: 13 degrees of RMS roll, as harmonic amplitude.
 constexpr double kGreatestAmplitude = radians(25.0);
 constexpr double kLeastSpan = 2.0;  // between the first and the last level, total damping
 
 RollUpdateTable tabulate(const LoadedHull& hull, double speed, double lowest) {
   RollUpdateTable out;
-  const double highest = std::max(kHighest * hull.roll_natural_frequency, 2.0 * lowest);
-  const double step = (highest - lowest) / static_cast<double>(kNumRollUpdateNodes - 1);
+  out.highest = std::max(kHighest * hull.roll_natural_frequency, 2.0 * lowest);
   out.first = lowest;
+  const double step = (out.highest - lowest) / static_cast<double>(kNumRollUpdateNodes - 1);
   out.per_step = 1.0 / step;
   out.stiffness = hull.restoring.c44;
   out.inertia = hull.restoring.c44 / (hull.roll_natural_frequency * hull.roll_natural_frequency);
   for (std::size_t n = 0; n < kNumRollUpdateNodes; ++n) {
-    const double omega = lowest + step * static_cast<double>(n);
+    const double omega = out.first + step * static_cast<double>(n);
     const RollAdmittance answer = roll_admittance(hull, omega, speed);
     const double rigid = out.stiffness - omega * omega * out.inertia;
     out.impedance_re[n] = static_cast<float>(answer.impedance.real() - rigid);
@@ -38,17 +38,27 @@ RollUpdateTable tabulate(const LoadedHull& hull, double speed, double lowest) {
   return out;
 }
 
+double stabiliser_damping(const LoadedHull& hull, double speed) {
+  if (!hull.stabiliser) {
+    return 0.0;
+  }
+  const double share = std::min(1.0, speed / hull.stabiliser->speed);
+  return share * share * ratio_roll_damping(hull, hull.stabiliser->ratio);
+}
+
 RollDampingLevels choose_levels(const LoadedHull& hull, double speed) {
   RollDampingLevels out;
-  out.added[0] = small_roll_damping(hull.roll_damping, speed);
-  if (!depends_on_amplitude(hull.roll_damping)) {
+  out.added[0] = reference_roll_damping(hull.roll_damping, speed);
+  out.stabiliser = stabiliser_damping(hull, speed);
+  if (!depends_on_amplitude(hull.roll_damping) && !hull.stabiliser) {
     return out;
   }
   out.count = kRollDampingLevels;
   const double omega = roll_resonance(hull, speed).omega;
   out.own = std::max(0.0, roll_admittance(hull, omega, speed).impedance.imag() / omega - out.added[0]);
   const double first = out.own + out.added[0];
-  const double greatest = added_roll_damping(hull.roll_damping, speed, kGreatestAmplitude, omega);
+  const double greatest =
+      added_roll_damping(hull.roll_damping, speed, kGreatestAmplitude, omega) + out.stabiliser;
   const double last = std::max(out.own + greatest, kLeastSpan * first);
   for (std::size_t l = 1; l < kRollDampingLevels; ++l) {
     const double share = static_cast<double>(l) / static_cast<double>(kRollDampingLevels - 1);

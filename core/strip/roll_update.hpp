@@ -3,13 +3,15 @@
 // Damping enters one element of the lateral matrix, so motions at another are a rank-one update of those in
 // hand (roll_admittance.hpp). The admittance depends on omega_e and the speed alone and is smooth, but for
 // the ship's own inertia and stiffness, which are taken out before it is tabulated: straight lines between
-// kNumRollUpdateNodes of |omega_e| up to 8 times the natural frequency. Above, b omega_e is below 8 % of the
-// inertia even at 0.3 of critical, in quadrature: less than 0.4 % of a motion, left out.
+// kNumRollUpdateNodes up to 6 times the natural frequency (parabolas give the same to four digits). Above, b
+// omega_e is below 10 % of the inertia even at 0.3 of critical, in quadrature: less than 0.5 % of a motion,
+// left out.
 // Levels: dampings at which the cycle sums variances, from that of a ship that hardly rolls to that of one
 // which rolls far beyond linear theory; between them response/roll_linearisation.hpp interpolates.
 // Expected error of an update: 1e-3 of roll at resonance (tests/strip). Memory: 3 kB a speed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -21,16 +23,18 @@ namespace quickstrip {
 
 /// Added dampings b44 [N m s], increasing; the motions are solved with the first.
 struct RollDampingLevels {
-  std::size_t count = 1;  // 1: damping does not depend on the motion
+  std::size_t count = 1;  // 1: there is one damping, whatever the roll
   std::array<double, kRollDampingLevels> added{};
-  double own = 0.0;  // b44 of potential theory at roll resonance, sway and yaw eliminated [N m s]
+  double stabiliser = 0.0;  // b44 more while stabilisers work [N m s]
+  double own = 0.0;         // b44 of potential theory at roll resonance, sway and yaw eliminated [N m s]
 };
 
 /// By |omega_e|: first + n step.
 struct RollUpdateTable {
   using Values = std::array<float, kNumRollUpdateNodes>;
+  double highest = 0.0;   // |omega_e| that the table goes to [rad/s]
   double first = 0.0;     // rad/s
-  double per_step = 0.0;  // 1 / step
+  double per_step = 0.0;  // s
   double stiffness = 0.0;
   double inertia = 0.0;
   Values impedance_re{};  // of D beyond stiffness - omega_e^2 inertia
@@ -57,13 +61,14 @@ struct RollChange {
   bool is_negligible = false;  // |omega_e| beyond the table
 };
 
-/// omega_e > 0 [rad/s]. For negative encounter frequencies take the conjugates.
+/// omega_e > 0, at least the lowest of the table [rad/s]. For negative encounter frequencies take the
+/// conjugates.
 inline RollChange roll_change(const RollUpdateTable& table, double omega_e) {
-  const double place = (omega_e - table.first) * table.per_step;
-  if (!(place < static_cast<double>(kNumRollUpdateNodes - 1))) {
+  if (!(omega_e < table.highest)) {
     return {.impedance = {}, .sway_per_roll = {}, .yaw_per_roll = {}, .is_negligible = true};
   }
-  const std::size_t n = place > 0.0 ? static_cast<std::size_t>(place) : 0;
+  const double place = std::max(0.0, (omega_e - table.first) * table.per_step);
+  const std::size_t n = std::min(static_cast<std::size_t>(place), kNumRollUpdateNodes - 2);
   const double t = place - static_cast<double>(n);
   const auto between = [n, t](const RollUpdateTable::Values& values) {
     return (1.0 - t) * static_cast<double>(values[n]) + t * static_cast<double>(values[n + 1]);

@@ -149,6 +149,7 @@ Conversion to_own_ship(const own_ship_t& message, OwnShipReading& out) {
   reading.ship.speed =
       from_knots(through_water ? message.speed_through_water_kn : message.speed_over_ground_kn);
   reading.ship.speed_over_ground = !through_water;
+  reading.ship.is_stabilised = message.stabiliser == own_ship_t::STABILISER_ON;
   if (has(message.valid, own_ship_t::VALID_COURSE)) {
     reading.course = radians(message.course_over_ground_deg);
   }

@@ -195,14 +195,21 @@ BilgeKeel read_bilge_keel(const TomlTable& table, const Hull& hull) {
 
 void read_roll_damping(const TomlTable& root, Hull& hull) {
   constexpr NumberRange kRatios{0.0, 0.5, "of critical"};
+  constexpr NumberRange kFullSpeeds{1.0, 60.0, "kn"};
   const TomlTable table = root.table("roll_damping");
-  table.allow_only({"method", "ratio", "bilge_keel"});
+  table.allow_only({"method", "ratio", "bilge_keel", "stabiliser"});
   const bool is_ikeda = table.choice("method", {"ratio", "ikeda"}) == 1;
   hull.roll_damping.method = is_ikeda ? RollDampingMethod::kIkeda : RollDampingMethod::kRatio;
   hull.roll_damping.ratio =
       is_ikeda ? table.number_or("ratio", kRatios, 0.0) : table.number("ratio", kRatios);
   if (const auto keel = table.optional_table("bilge_keel")) {
     hull.roll_damping.bilge_keel = read_bilge_keel(*keel, hull);
+  }
+  if (const auto stabiliser = table.optional_table("stabiliser")) {
+    stabiliser->allow_only({"ratio", "speed_kn"});
+    hull.roll_damping.stabiliser =
+        Stabiliser{.ratio = stabiliser->number("ratio", kRatios),
+                   .speed = from_knots(stabiliser->number("speed_kn", kFullSpeeds))};
   }
 }
 

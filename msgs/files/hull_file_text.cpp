@@ -101,6 +101,10 @@ void add_roll_damping(std::string& text, const RollDamping& damping) {
                         number(damping.bilge_keel->x_aft), number(damping.bilge_keel->x_fwd),
                         number(damping.bilge_keel->breadth));
   }
+  if (damping.stabiliser) {
+    text += fmt::format("stabiliser = {{ ratio = {}, speed_kn = {} }}\n", number(damping.stabiliser->ratio),
+                        number(to_knots(damping.stabiliser->speed)));
+  }
 }
 
 const char* word_of(PointRole role) {

@@ -62,6 +62,9 @@ void scale_places(Hull& hull, double scale) {
     hull.roll_damping.bilge_keel->x_fwd *= scale;
     hull.roll_damping.bilge_keel->breadth *= scale;
   }
+  if (hull.roll_damping.stabiliser) {
+    hull.roll_damping.stabiliser->speed *= std::sqrt(scale);
+  }
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void prepare_roll(const LoadedHull& hull, const Plan& plan, Simulation& out) {
   const std::size_t samples =
       std::min(out.num_samples, power_of_two_from(out.block_s * natural / kRollSampling));
   list_roll_answers(hull, plan.speed, samples / 2, out);
-  out.base_damping = small_roll_damping(hull.roll_damping, plan.speed);
+  out.base_damping = reference_roll_damping(hull.roll_damping, plan.speed);
   out.law = {.linear = out.base_damping};
   out.memory.emplace(out.roll_answer, out.answers.step, out.base_damping);
   const auto band = static_cast<std::size_t>(std::ceil(kRollBand * natural / out.answers.step));

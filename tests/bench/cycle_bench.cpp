@@ -99,6 +99,12 @@ double percentile(std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * last)];
 }
 
+double step_ms(Advisor& advisor, const StepInputs& inputs) {
+  const double before = bench::processor_seconds();
+  benchmark::DoNotOptimize(advisor.step(inputs).advice.present.margin);
+  return 1e3 * (bench::processor_seconds() - before);
+}
+
 void run(benchmark::State& state, Case& at, const Criteria& criteria) {
   const auto advisor = std::make_unique<Advisor>();
   if (!advisor->configure(at.hull, criteria, StripMethod{})) {
@@ -109,9 +115,7 @@ void run(benchmark::State& state, Case& at, const Criteria& criteria) {
   double slowest = 0.0;
   for (auto _ : state) {
     const auto start = std::chrono::steady_clock::now();
-    const double before = bench::processor_seconds();
-    benchmark::DoNotOptimize(advisor->step(at.inputs).advice.present.margin);
-    times.push_back(1e3 * (bench::processor_seconds() - before));
+    times.push_back(step_ms(*advisor, at.inputs));
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     slowest = std::max(slowest, took.count());
   }
@@ -143,6 +147,42 @@ void StepBySpeeds(benchmark::State& state) {
   run(state, *at, every_response(at->hull));
 }
 BENCHMARK(StepBySpeeds)->Arg(5)->Arg(13)->Arg(25)->Unit(benchmark::kMillisecond);
+
+// The cycle with roll damping found in every cell from the cell's own roll, as a ratio to the cycle with one
+// ratio of critical for all; turn about in one run. Arguments: wave systems (0: measured); every response?
+void StepWithRollThatDampsItself(benchmark::State& state) {
+  const auto linear = make_case(static_cast<std::size_t>(state.range(0)));
+  const auto itself = make_case(static_cast<std::size_t>(state.range(0)));
+  itself->hull.roll_damping.stabiliser = Stabiliser{.ratio = 0.1, .speed = 5.0};
+  itself->hull.roll_damping.bilge_keel = BilgeKeel{61.0, 114.0, 0.35};
+  const Criteria criteria =
+      state.range(1) != 0 ? every_response(linear->hull) : *nordforsk_merchant(linear->hull);
+  const auto one = std::make_unique<Advisor>();
+  const auto other = std::make_unique<Advisor>();
+  if (!one->configure(linear->hull, criteria, StripMethod{}) ||
+      !other->configure(itself->hull, criteria, StripMethod{})) {
+    state.SkipWithError("the hull or its criteria are refused");
+    return;
+  }
+  std::vector<double> without;
+  std::vector<double> with;
+  for (auto _ : state) {
+    without.push_back(step_ms(*one, linear->inputs));
+    with.push_back(step_ms(*other, itself->inputs));
+  }
+  std::sort(without.begin(), without.end());
+  std::sort(with.begin(), with.end());
+  state.counters["without_p50_ms"] = percentile(without, 0.5);
+  state.counters["with_p50_ms"] = percentile(with, 0.5);
+  state.counters["with_p99_ms"] = percentile(with, 0.99);
+  state.counters["ratio"] = percentile(with, 0.5) / percentile(without, 0.5);
+}
+BENCHMARK(StepWithRollThatDampsItself)
+    ->Args({3, 0})
+    ->Args({3, 1})
+    ->Args({0, 0})
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(2);
 
 /// What sweep_grid needs, filled for the S-175 on `num_frequencies` of the hull's own range.
 struct Sweep {

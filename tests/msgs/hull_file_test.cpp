@@ -255,6 +255,20 @@ TEST(HullFile, IkedaIsTakenWithOrWithoutARatioAndABilgeKeel) {
   EXPECT_DOUBLE_EQ(hull.roll_damping.bilge_keel->x_fwd, 35.0);
 }
 
+TEST(HullFile, StabilisersAreARatioAtASpeed) {
+  Hull hull;
+  const std::string with_fins =
+      with("ratio = 0.05", "ratio = 0.05\nstabiliser = { ratio = 0.2, speed_kn = 18.0 }");
+  ASSERT_TRUE(parse_hull(with_fins, "ship.hull.toml", hull).ok());
+  ASSERT_TRUE(hull.roll_damping.stabiliser);
+  EXPECT_DOUBLE_EQ(hull.roll_damping.stabiliser->ratio, 0.2);
+  EXPECT_DOUBLE_EQ(hull.roll_damping.stabiliser->speed, from_knots(18.0));
+  expect_refused(with("ratio = 0.05", "ratio = 0.05\nstabiliser = { ratio = 2.0, speed_kn = 18.0 }"),
+                 {"roll_damping.stabiliser.ratio = 2"});
+  expect_refused(with("ratio = 0.05", "ratio = 0.05\nstabiliser = { ratio = 0.2 }"),
+                 {"roll_damping.stabiliser.speed_kn"});
+}
+
 TEST(HullFile, GridMustFitItsCapacityAndTheDirections) {
   const std::string speeds = "[grid]\nspeeds_kn = { from = 0.0, to = ";
   expect_refused(kShip + speeds + "25.0, step = 1.0 }\n", {"grid.speeds_kn.step", "25", "26"});
