@@ -170,7 +170,7 @@ double keel_pressure_damping(const LoadedHull& hull, const BilgeKeel& keel, doub
 }
 
 Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::optional<BilgeKeel>& keel,
-                                            double viscosity, WaveDampingAtSpeed wave) {
+                                            double viscosity) {
   const Measures ship = measures(hull);
   const Eddies eddy = eddies(hull, ship.og_down);
   RollDampingModel model;
@@ -185,9 +185,7 @@ Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::o
     set_keel(hull, *keel, model);
     set_gaussian_pressure(model);
   }
-  if (wave == WaveDampingAtSpeed::kIkeda) {
-    set_wave_damping(hull, ship, model);
-  }
+  set_wave_damping(hull, ship, model);
   const double greatest = RollAmplitudeNodes::kLast;
   const double all = added_roll_damping(model, 1.0, greatest, 1.0) +
                      added_roll_damping_gaussian(model, 1.0, 0.5 * greatest, 1.0);

@@ -3,10 +3,10 @@
 // theirs), lift (with the smooth fit of kappa to C_M of [JourneeAdegeest2003]), bilge keels (normal force and
 // pressure on the hull, per section along the keel).
 //
-// Wave damping at speed is counted once: strip theory's own, -V da44/dx in b44 (formulas §4.1), or Ikeda's
-// factor on b44 at V = 0 in its place, less what strip theory has. By default strip theory's alone, which is
-// the safe side: but on a hull with closed ends it is NONE (the integral of the slope is the jump at the
-// ends: S-175, b44 the same at 0, 10 and 20 kn to rounding), while Ikeda's factor is 4.7 and 7.8 there.
+// Wave damping at speed is counted once: Ikeda's factor on b44 at V = 0 [Journee1992] §3, less what strip
+// theory has of its own, -V da44/dx (formulas §4.1), and never less than that. On a hull with closed ends
+// strip theory has none: the integral of the slope is the jump at the ends (S-175: b44 the same at 0, 10 and
+// 20 kn to rounding, while the factor is 4.7 and 7.8).
 // Friction is laminar, as in the source: on a full-scale ship all friction is 1 to 2 % of the whole at V = 0
 // and 5 to 10 degrees. Range, flagged (RollDampingRange): that of the ships which [Kawahara2009] evaluated
 // the method over, C_B 0.5 ... 0.85, C_M 0.9 ... 0.99, B/d 2.5 ... 4.5, OG/d (down) -1.5 ... 0.2, keels 0.01
@@ -27,13 +27,10 @@
 
 namespace quickstrip {
 
-enum class WaveDampingAtSpeed : std::uint8_t { kStripTheory, kIkeda };
-
 /// The hull's model, with `keel` or bare; kinematic viscosity [m2/s] > 0. `hull` needs its sections and its
 /// natural frequency of roll. kNotFinite.
 Result<RollDampingModel> ikeda_roll_damping(const LoadedHull& hull, const std::optional<BilgeKeel>& keel,
-                                            double viscosity,
-                                            WaveDampingAtSpeed wave = WaveDampingAtSpeed::kStripTheory);
+                                            double viscosity);
 
 /// Pressure of the keel on the hull, over omega [N m s2], at a roll amplitude >= 0 [rad]: what the model
 /// tabulates.

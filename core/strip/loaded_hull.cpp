@@ -150,7 +150,8 @@ double roll_lever_shift(const LoadedHull& hull) {
 Status set_roll_damping(const RollDamping& given, double viscosity, LoadedHull& hull) {
   if (given.method == RollDampingMethod::kRatio) {
     set_roll_damping_ratio(hull, given.ratio);
-    return std::isfinite(reference_roll_damping(hull.roll_damping, 0.0)) ? Status{} : Status{Error::kNotFinite};
+    return std::isfinite(reference_roll_damping(hull.roll_damping, 0.0)) ? Status{}
+                                                                         : Status{Error::kNotFinite};
   }
   const Result<RollDampingModel> model = ikeda_roll_damping(hull, given.bilge_keel, viscosity);
   if (!model) {

@@ -55,7 +55,7 @@ struct RollDampingModel {
   double keel_normal_1 = 0.0;    // per omega and amplitude [N m s2]
   std::array<double, RollAmplitudeNodes::kCount> keel_pressure{};           // per omega [N m s2], of harmonic
   std::array<double, RollAmplitudeNodes::kCount> keel_pressure_gaussian{};  // and of Gaussian roll
-  // Wave damping at speed after Ikeda, in place of strip theory's own; all zero where strip theory's is left.
+  // Wave damping at speed after Ikeda, in place of strip theory's own.
   // By frequency, 0 to 4 natural frequencies: strip theory's b44 at V = 0, and what a metre a second adds to
   // it.
   double draught = 0.0;  // m

@@ -31,7 +31,9 @@ class BadHullFile : public testing::Test {
     return "[[station]]\nx_m = " + std::to_string(x) + "\noffsets_m = [[12.7, 0.0], [12.7, 11.0]]\n";
   }
 
-  std::string good_ = source_text("sim/hulls/s175.hull.toml");
+  // Her roll damped by a ratio, which needs a number.
+  std::string good_ = edited(source_text("sim/hulls/s175.hull.toml"), "method = \"ikeda\"",
+                             "method = \"ratio\"\nratio = 0.05");
 };
 
 const std::string kLpp = "lpp_m = 175.0";

