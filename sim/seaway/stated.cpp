@@ -47,6 +47,7 @@ Result<Stated> stated(const Hull& hull, const LoadedHull& loaded, const Watch& w
   Stated out;
   out.quantities.assign(s->cell.quantities.begin(), s->cell.quantities.end());
   out.quality = s->cell.cell.quality;
+  out.roll_damping = static_cast<double>(s->cell.cell.roll_damping_ratio) * s->transfer.critical_roll_damping;
   return out;
 }
 

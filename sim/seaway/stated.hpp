@@ -22,6 +22,7 @@ struct SeaView {
 struct Stated {
   std::vector<QuantityResponse> quantities;  // by channel of the watch
   std::uint32_t quality = 0;                 // of the cell
+  double roll_damping = 0.0;                 // added b44 that it rests on [N m s]
 };
 
 /// speed [m/s]. Errors: those of transfer functions, place_on_grid() and respond(). Cost: some 60 ms.

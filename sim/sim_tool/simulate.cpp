@@ -140,6 +140,19 @@ void run(SimulateOptions options) {
   settle_course(options, plan);
   const auto sea = choose_sea(options.sea);
   const seaway::Beams beams = beams_of(options, ship, *sea);
+  const seaway::SeaView view{sea->is_measured ? nullptr : &sea->systems,
+                             sea->is_measured ? &sea->measured : nullptr};
+  const auto ask = [&] {
+    return stated(hull, *ship.loaded, watch, view, plan.heading, plan.speed, ship.quality);
+  };
+  auto said = ask();
+  if (!said) {
+    refuse(options, said.error());
+  }
+  if (!plan.steps_roll) {  // the ship is linear, with the damping that the advisor finds in this sea
+    ship.loaded->roll_damping =
+        constant_roll_damping(said->roll_damping, ship.loaded->roll_natural_frequency);
+  }
   const Result<seaway::Simulation> prepared = prepare(*ship.loaded, watch, beams, plan);
   if (!prepared) {
     refuse(options, prepared.error());
@@ -148,11 +161,11 @@ void run(SimulateOptions options) {
   seaway::Report report;
   report.damping_unit = ratio_roll_damping(*ship.loaded, 1.0);
   report.roll = settle_roll(options, plan, report.damping_unit, *ship.loaded, simulation);
-  const seaway::SeaView view{sea->is_measured ? nullptr : &sea->systems,
-                             sea->is_measured ? &sea->measured : nullptr};
-  const auto said = stated(hull, *ship.loaded, watch, view, plan.heading, plan.speed, ship.quality);
-  if (!said) {
-    refuse(options, said.error());
+  if (options.roll_linear) {  // then the advisor is told of it
+    said = ask();
+    if (!said) {
+      refuse(options, said.error());
+    }
   }
   report.counts = questions_of(watch, plan.speed, *said, levels_of(options));
   report.hull = &hull;
