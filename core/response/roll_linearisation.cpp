@@ -9,10 +9,12 @@ namespace {
 
 constexpr int kMostSteps = 12;
 constexpr double kConverged = 1e-7;  // of ln b
-// Slope of ln(damping called for) - ln(damping): less roll calls for less damping, never in more than
-// proportion.
+// Slope of ln(damping called for) - ln(damping). Less roll calls for less damping, never in more than
+// proportion: -1 to -2, but for rolls of two kinds, where more damping leaves the quicker one, which calls
+// for more.
+constexpr double kFirst = -1.5;
 constexpr double kSteepest = -2.0;
-constexpr double kFlattest = -1.0;
+constexpr double kFlattest = -0.2;
 constexpr double kLeastShare = 1e-6;  // of a level: a model that gives nothing keeps its logarithm finite
 
 double blend(const ByLevel& weight, const ByLevel& values) {
@@ -67,7 +69,7 @@ LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& a
   };
   double x = std::log(levels.added[1]);
   double f = excess(x);
-  double slope = 0.5 * (kSteepest + kFlattest);
+  double slope = kFirst;
   for (int step = 0; step < kMostSteps && std::fabs(f) > kConverged; ++step) {
     const double next = x - f / slope;
     const double f_next = excess(next);

@@ -7,7 +7,7 @@
 // omega = sigma_phidot / sigma_phi, is strip/roll_damping.hpp's. Damping and roll answer each other:
 // variances are known at a few dampings (strip/roll_update.hpp), between them they go with
 // 1 / (b + own) as the variance of a resonant roll does; then ln b is found by secants, at most kMostSteps.
-// Slope of the equation in ln b is within -1 ... -2, so it has one root. Expected error of the interpolation:
+// The equation falls with ln b, so it has one root. Expected error of the interpolation:
 // tests/response. Cost: some 0.1 us a step, four or five steps; no state.
 #pragma once
 

@@ -19,7 +19,8 @@ constexpr double kGreatestAmplitude = 20.0 * kPi / 180;  // of the rolls that th
 
 using PressureTable = std::array<double, RollAmplitudeNodes::kCount>;
 
-// Parabola through three neighbouring nodes; beyond the last node, straight on.
+// Parabola through three neighbouring nodes, the next one from each node on: continuous, so that equations in
+// it have roots. Beyond the last node, straight on.
 double interpolate(const PressureTable& table, double step, double at) {
   constexpr std::size_t kLastFirst = RollAmplitudeNodes::kCount - 3;
   const double place = at / step;
@@ -27,8 +28,7 @@ double interpolate(const PressureTable& table, double step, double at) {
   if (place >= kEnd) {
     return table.back() + (place - kEnd) * (table[kLastFirst + 2] - table[kLastFirst + 1]);
   }
-  const std::size_t nearest = place > 0.5 ? static_cast<std::size_t>(place - 0.5) : 0;
-  const std::size_t first = std::min(nearest, kLastFirst);
+  const std::size_t first = std::min(static_cast<std::size_t>(place), kLastFirst);
   const double t = place - static_cast<double>(first);
   return 0.5 * (t - 1.0) * (t - 2.0) * table[first] - t * (t - 2.0) * table[first + 1] +
          0.5 * t * (t - 1.0) * table[first + 2];

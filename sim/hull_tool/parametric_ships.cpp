@@ -168,7 +168,7 @@ std::string_view make_parametric_ship(std::string_view which, Hull& out) {
            "parametric "
            "tanker`, from powers\n(sim/hull_tool/parametric_form.hpp). 310 x 47.17 x 18.90 m, 234,994 m3, "
            "LCB "
-           "6.61 m forward of midship, KG 13.32 m\nand gyradii are those quoted everywhere for the 200,000 t "
+           "6.61 m forward of midship, KG 13.32 m\nand gyradii are those, from memory, of the 200,000 t "
            "tanker of Dutch model tests (van Oortmerssen 1976,\nPinkster 1980; GM 5.78 m there). Deck, "
            "bridge and "
            "freeboards are usual ones. No bulb. Free surfaces: none assumed.";

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -235,6 +236,49 @@ TEST_F(LinearisedS175, SweepAndSingleCourseAgree) {
       EXPECT_NEAR(all[h], one[c].m0, 1e-6 * one[c].m0 + 1e-12 * largest) << c << " heading " << h;
     }
   }
+}
+
+// The seas of [Journee1992] Table 1, all round the ship at four speeds: the steps that linearise_roll() is
+// allowed are always enough.
+TEST_F(LinearisedS175, ConvergesInEverySeaOfThePapersTable) {
+  struct Beaufort {
+    double hs;
+    double t1;
+  };
+  constexpr std::array<Beaufort, 11> kOcean = {{{1.10, 5.8},
+                                                {1.20, 5.9},
+                                                {1.40, 6.0},
+                                                {1.70, 6.1},
+                                                {2.15, 6.5},
+                                                {2.90, 7.2},
+                                                {3.75, 7.8},
+                                                {4.90, 8.4},
+                                                {6.10, 9.0},
+                                                {7.45, 9.6},
+                                                {8.70, 10.1}}};
+  const auto work = std::make_unique<SweepWorkspace>();
+  const auto moments = std::make_unique<HeadingMoments>();
+  Needs needs{};
+  double worst = 0.0;
+  double least = 1e9;
+  double most = 0.0;
+  for (const double speed : {0.0, 4.0, 8.28, 12.0}) {
+    solve(speed);
+    prepare_sweep(*transfer_, watch_, needs, *work);
+    for (const Beaufort& sea : kOcean) {
+      place({sea.hs, sea.t1 / 0.772, 0.0, speed, 25.0});  // Tp of a Bretschneider spectrum (formulas §9)
+      list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
+      const HeadingDamping& found = moments->roll_damping;
+      worst = std::max(worst, *std::max_element(found.residual.begin(), found.residual.end()));
+      const auto [low, high] = std::minmax_element(found.added.begin(), found.added.end());
+      least = std::min(least, *low / transfer_->critical_roll_damping);
+      most = std::max(most, *high / transfer_->critical_roll_damping);
+    }
+  }
+  std::printf("3,168 courses: damping %.4f to %.3f of critical, largest residual %.1e\n", least, most, worst);
+  EXPECT_LT(worst, 1e-6);
+  EXPECT_LT(least, 0.01);  // seas differ: there was something to find
+  EXPECT_GT(most, 0.05);
 }
 
 // The higher the sea, the more damping; in a calm one, that of a ship that hardly rolls.
