@@ -70,7 +70,7 @@ std::string header(const Criteria& criteria) {
   for (const Criterion& criterion : criteria) {
     line += "," + column_name(criterion);
   }
-  return line + ",added_resistance_n,added_resistance_empirical_n";
+  return line + ",added_resistance_n,added_resistance_empirical_n,roll_damping_ratio,roll_damping_residual";
 }
 
 std::optional<double> resistance(float mean) {
@@ -91,6 +91,8 @@ void add_rows(const StepOutput& output, const Criteria& criteria, Csv& csv) {
         csv.add(known ? std::optional<double>(cell.values[c]) : std::nullopt);
       }
       csv.add(resistance(cell.added_resistance)).add(resistance(cell.added_resistance_empirical));
+      csv.add(static_cast<double>(cell.roll_damping_ratio))
+          .add(static_cast<double>(cell.roll_damping_residual));
       csv.end_row();
     }
   }
