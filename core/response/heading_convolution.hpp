@@ -1,0 +1,33 @@
+// One channel, at one speed and one level of roll damping, from relative directions to headings: integrals
+// over the bands of the sea at every direction, then their convolution with what each system takes of a band.
+// The two steps of heading_moments.hpp, whose workspace they share.
+#pragma once
+
+#include <cstddef>
+
+#include "core/base/static_vector.hpp"
+#include "core/response/direction_response.hpp"
+#include "core/response/heading_moments.hpp"
+
+namespace quickstrip {
+
+/// One channel at one speed, or the waves themselves (null), and what is wanted of it.
+struct SweepSubject {
+  const TransferFunctions& transfer;
+  std::size_t speed;
+  const Channel* channel;
+  std::size_t wave;  // place among the incident waves
+  const SeaEnergy& sea;
+  std::size_t level;  // of roll damping
+  StaticVector<Moment, 3> moments;
+
+  [[nodiscard]] bool has_sides() const { return channel != nullptr && !is_symmetric(*channel); }
+};
+
+/// Integrals by relative direction and band, even and odd in direction, one set a moment.
+void integrate(const SweepSubject& subject, SweepWorkspace& work);
+
+/// Moment i of the subject: by system and heading in the workspace, and all together.
+void convolve(const SweepSubject& subject, std::size_t i, SweepWorkspace& work, ByHeading& total);
+
+}  // namespace quickstrip
