@@ -23,6 +23,18 @@ struct OwnShip {
   bool is_stabilised = false;           // own ship says that her stabilisers work
 };
 
+/// What was measured over a window that ended lately; RMS about the mean, zero-crossing periods.
+struct MeasuredMotion {
+  double window = 0.0;                   // s
+  std::optional<double> roll_rms{};      // rad
+  std::optional<double> roll_period{};   // s
+  std::optional<double> roll_max{};      // rad, greatest single amplitude
+  std::optional<double> pitch_rms{};     // rad
+  std::optional<double> pitch_period{};  // s
+  std::optional<double> heave_rms{};     // m
+  std::optional<double> heave_period{};  // s
+};
+
 /// Core has no clock: age is the session's to judge, and `no_advice` its way to say that an input is missing
 /// or stale. Null: not there. Objects live until step() returns.
 struct StepInputs {
@@ -31,6 +43,8 @@ struct StepInputs {
   const OwnShip* own_ship = nullptr;
   const Loading* loading = nullptr;  // null: the loading in force stays
   NoAdvice no_advice = NoAdvice::kNone;
+  double time = 0.0;                       // of this cycle, from any fixed moment [s]: only differences count
+  const MeasuredMotion* motion = nullptr;  // null: nothing measured, or too long ago
 };
 
 /// advice.no_advice says whether the rest is valid. Without advice all cells are unknown, but for

@@ -10,13 +10,23 @@
 namespace quickstrip {
 
 /// The channels that an advisor publishes on.
-enum class OutChannel : std::uint8_t { kAdvice, kGrid, kResponse, kAlert, kLimits, kHealth };
+enum class OutChannel : std::uint8_t {
+  kAdvice,
+  kGrid,
+  kResponse,
+  kAlert,
+  kLimits,
+  kHealth,
+  kOutlook,
+  kComparison,
+  kLogbook,
+};
 
-inline constexpr std::size_t kNumOutChannels = 6;
+inline constexpr std::size_t kNumOutChannels = 9;
 
 /// Names without the prefix ("QS_").
 inline constexpr std::array<std::string_view, kNumOutChannels> kOutChannelNames{
-    "ADVICE", "GRID", "RESPONSE", "ALERT", "LIMITS", "HEALTH"};
+    "ADVICE", "GRID", "RESPONSE", "ALERT", "LIMITS", "HEALTH", "OUTLOOK", "COMPARISON", "LOGBOOK"};
 
 class Outbox {
  public:

@@ -12,11 +12,14 @@
 #include "quickstrip/advice_t.hpp"
 #include "quickstrip/alert_t.hpp"
 #include "quickstrip/clock_t.hpp"
+#include "quickstrip/comparison_t.hpp"
 #include "quickstrip/grid_t.hpp"
 #include "quickstrip/health_t.hpp"
 #include "quickstrip/limits_t.hpp"
 #include "quickstrip/loading_t.hpp"
+#include "quickstrip/logbook_t.hpp"
 #include "quickstrip/motion_t.hpp"
+#include "quickstrip/outlook_t.hpp"
 #include "quickstrip/own_ship_t.hpp"
 #include "quickstrip/query_t.hpp"
 #include "quickstrip/response_t.hpp"
@@ -52,7 +55,10 @@ const std::map<std::string, Decodes, std::less<>>& types() {
                                                                   {"RESPONSE", as<response_t>()},
                                                                   {"ALERT", as<alert_t>()},
                                                                   {"LIMITS", as<limits_t>()},
-                                                                  {"HEALTH", as<health_t>()}};
+                                                                  {"HEALTH", as<health_t>()},
+                                                                  {"OUTLOOK", as<outlook_t>()},
+                                                                  {"COMPARISON", as<comparison_t>()},
+                                                                  {"LOGBOOK", as<logbook_t>()}};
   return kTypes;
 }
 

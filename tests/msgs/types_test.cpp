@@ -11,11 +11,14 @@
 #include "quickstrip/advice_t.hpp"
 #include "quickstrip/alert_t.hpp"
 #include "quickstrip/clock_t.hpp"
+#include "quickstrip/comparison_t.hpp"
 #include "quickstrip/grid_t.hpp"
 #include "quickstrip/health_t.hpp"
 #include "quickstrip/limits_t.hpp"
 #include "quickstrip/loading_t.hpp"
+#include "quickstrip/logbook_t.hpp"
 #include "quickstrip/motion_t.hpp"
+#include "quickstrip/outlook_t.hpp"
 #include "quickstrip/own_ship_t.hpp"
 #include "quickstrip/query_t.hpp"
 #include "quickstrip/response_t.hpp"
@@ -41,11 +44,14 @@ TEST(MessageTypes, FingerprintsAndSizesArePinned) {
   expect_pinned<advice_t>(0xD20D5E22315527B5u, 3291);
   expect_pinned<alert_t>(0x6AF28614BD9928F0u, 254);
   expect_pinned<clock_t>(0x51069DA63B540650u, 30);
+  expect_pinned<comparison_t>(0x007679A6F9195771u, 2612);
   expect_pinned<grid_t>(0xBA4BA06C4998E6E1u, 43334);
   expect_pinned<health_t>(0x236C94D0C07EA629u, 588);
   expect_pinned<limits_t>(0x5061606A0BC61810u, 2816);
   expect_pinned<loading_t>(0xFEBA3CDD56C484ECu, 155);
+  expect_pinned<logbook_t>(0x1E27A7318FB0E5E0u, 231);
   expect_pinned<motion_t>(0xF29283C47B1C9EB3u, 339);
+  expect_pinned<outlook_t>(0xA2D3CE2741FAA06Au, 4002);
   expect_pinned<own_ship_t>(0x30E8C25E651F0982u, 107);
   expect_pinned<query_t>(0x373CD6BD2423FC04u, 46);
   expect_pinned<response_t>(0xCA2CCE2EB4142B08u, 11411);
