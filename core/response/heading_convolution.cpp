@@ -72,22 +72,26 @@ void drop_rounding(ByHeading& values) {
   }
 }
 
-/// Back to headings: waves from d meet a ship heading for h at m = h + half a turn - d.
+/// Back to headings, each system.
 void transform_back(std::size_t num_systems, SweepWorkspace& work) {
   cosine_transform(work.product_cosine, num_systems, work.part_even);
   sine_transform(work.product_sine, num_systems, work.part_odd);
-  constexpr double kScale = 1.0 / static_cast<double>(kNumDirections);
   for (std::size_t s = 0; s < num_systems; ++s) {
-    for (std::size_t n = 0; n < kNumDirections; ++n) {
-      const std::size_t m = n <= kHalf ? n : kNumDirections - n;
-      const double odd = n <= kHalf ? work.part_odd[m][s] : -work.part_odd[m][s];
-      work.by_system[s][(n + kHalf) % kNumDirections] = kScale * (work.part_even[m][s] + odd);
-    }
+    read_headings(work, s, 1.0, work.by_system[s]);
     drop_rounding(work.by_system[s]);
   }
 }
 
 }  // namespace
+
+void read_headings(const SweepWorkspace& work, std::size_t column, double scale, ByHeading& out) {
+  const double by_count = scale / static_cast<double>(kNumDirections);
+  for (std::size_t n = 0; n < kNumDirections; ++n) {
+    const std::size_t m = n <= kHalf ? n : kNumDirections - n;
+    const double odd = n <= kHalf ? work.part_odd[m][column] : -work.part_odd[m][column];
+    out[(n + kHalf) % kNumDirections] = by_count * (work.part_even[m][column] + odd);
+  }
+}
 
 void integrate(const SweepSubject& subject, SweepWorkspace& work) {
   ChannelValues values;

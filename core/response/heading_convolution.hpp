@@ -27,6 +27,10 @@ struct SweepSubject {
 /// Integrals by relative direction and band, even and odd in direction, one set a moment.
 void integrate(const SweepSubject& subject, SweepWorkspace& work);
 
+/// Column `column` of the transforms back to direction, times `scale`, by heading: waves from d meet a ship
+/// heading for h at m = h + half a turn - d.
+void read_headings(const SweepWorkspace& work, std::size_t column, double scale, ByHeading& out);
+
 /// Moment i of the subject: by system and heading in the workspace, and all together.
 void convolve(const SweepSubject& subject, std::size_t i, SweepWorkspace& work, ByHeading& total);
 

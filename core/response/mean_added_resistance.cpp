@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/response/channel_energy.hpp"
+#include "core/response/heading_convolution.hpp"
 #include "core/response/moments.hpp"
 #include "core/response/peak_terms.hpp"
 
@@ -48,30 +49,6 @@ void transform(const TransferFunctions& transfer, const ResistanceRows& rows, co
   }
 }
 
-/// Waves from d meet a ship heading for h at m = h + half a turn - d.
-void read_column(const SweepWorkspace& work, std::size_t column, ByHeading& out) {
-  constexpr double kScale = 2.0 / static_cast<double>(kNumDirections);
-  for (std::size_t n = 0; n < kNumDirections; ++n) {
-    const std::size_t m = n <= kHalf ? n : kNumDirections - n;
-    const double odd = n <= kHalf ? work.part_odd[m][column] : -work.part_odd[m][column];
-    out[(n + kHalf) % kNumDirections] = kScale * (work.part_even[m][column] + odd);
-  }
-}
-
-/// Where a heading lies between two directions of the wave energy.
-struct HeadingBracket {
-  std::size_t below = 0;
-  std::size_t above = 0;
-  double part = 0.0;
-};
-
-HeadingBracket bracket_heading(Heading heading) {
-  const double turned = wrap_two_pi(heading.radians) / kTwoPi * static_cast<double>(kNumDirections);
-  const double below = std::floor(turned);
-  const std::size_t h = static_cast<std::size_t>(below) % kNumDirections;
-  return {h, (h + 1) % kNumDirections, turned - below};
-}
-
 double mean_at(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
                const HeadingBracket& heading) {
   std::array<double, kMaxEnergyBands> integrals{};
@@ -102,9 +79,10 @@ void list_mean_added_resistance(const TransferFunctions& transfer, std::size_t s
   const std::size_t count = out.has_empirical ? 2 : 1;
   cosine_transform(work.product_cosine, count, work.part_even);
   sine_transform(work.product_sine, count, work.part_odd);
-  read_column(work, kStrip, out.strip);
+  constexpr double kMeanOfAmplitudeSquared = 2.0;  // a wave's energy is half its amplitude squared
+  read_headings(work, kStrip, kMeanOfAmplitudeSquared, out.strip);
   if (out.has_empirical) {
-    read_column(work, kEmpirical, out.empirical);
+    read_headings(work, kEmpirical, kMeanOfAmplitudeSquared, out.empirical);
   }
 }
 

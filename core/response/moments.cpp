@@ -22,12 +22,10 @@ struct RelativeEnergy {
 };
 
 void list_relative_energy(const SeaEnergy& sea, Heading heading, std::size_t m, RelativeEnergy& out) {
-  const double turned = wrap_two_pi(heading.radians) / kTwoPi * static_cast<double>(kNumDirections);
-  const double below = std::floor(turned);
-  const double part = turned - below;
-  const std::size_t h = static_cast<std::size_t>(below) % kNumDirections;
-  const std::size_t d0 = wave_direction(h, m);
-  const std::size_t d1 = wave_direction((h + 1) % kNumDirections, m);
+  const HeadingBracket bracket = bracket_heading(heading);
+  const double part = bracket.part;
+  const std::size_t d0 = wave_direction(bracket.below, m);
+  const std::size_t d1 = wave_direction(bracket.above, m);
   out.is_empty = true;
   for (std::size_t s = 0; s < sea.num_systems; ++s) {
     const SystemEnergy& system = sea.part[s];
@@ -216,6 +214,13 @@ Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double spe
     bracket.part = std::clamp((speed - low) / (transfer.speeds[bracket.upper] - low), 0.0, 1.0);
   }
   return bracket;
+}
+
+HeadingBracket bracket_heading(Heading heading) {
+  const double turned = wrap_two_pi(heading.radians) / kTwoPi * static_cast<double>(kNumDirections);
+  const double below = std::floor(turned);
+  const std::size_t h = static_cast<std::size_t>(below) % kNumDirections;
+  return {h, (h + 1) % kNumDirections, turned - below};
 }
 
 std::size_t wave_direction(std::size_t h, std::size_t m) {

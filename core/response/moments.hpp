@@ -72,6 +72,14 @@ struct SpeedBracket {
 /// Errors: kSpeedOutOfGrid.
 Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double speed);
 
+/// Direction indices on either side of a heading, and how far it lies towards the upper one.
+struct HeadingBracket {
+  std::size_t below = 0;
+  std::size_t above = 0;
+  double part = 0.0;
+};
+HeadingBracket bracket_heading(Heading heading);
+
 /// The compass direction index from which waves come that travel at relative direction m when the ship heads
 /// for direction index h (2 pi h / kNumDirections): from = heading + pi - mu.
 std::size_t wave_direction(std::size_t h, std::size_t m);
