@@ -187,6 +187,7 @@ NoAdvice Advisor::advise(const OwnShip& ship) {
   if (!sweep_grid(inputs, alive<GridWorkspace>(scratch_), output_.grid)) {
     return NoAdvice::kInternal;
   }
+  output_.unknown_share = unknown_share(output_.grid);
   const Status status = respond(inputs, ship.heading, ship.speed, output_.present);
   if (status.error() == Error::kSpeedOutOfGrid) {
     output_.advice =
@@ -212,6 +213,7 @@ void Advisor::withhold(NoAdvice reason) {
   output_.quality = 0;
   output_.hs = 0.0;
   output_.lost_tail = 0.0;
+  output_.unknown_share = -1.0;
   output_.num_systems = 0;
   output_.systems = {};
   output_.grid.num_speeds = transfer_.num_speeds;

@@ -11,6 +11,7 @@
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/static_vector.hpp"
+#include "core/hazard/hazard_bits.hpp"
 
 namespace quickstrip {
 
@@ -35,13 +36,6 @@ enum QualityBit : std::uint32_t {
 };
 inline constexpr std::size_t kNumQualityBits = 13;
 
-/// Hazard bits of a cell. Zones of the IMO guidance follow with issue of that name; reserved here.
-enum HazardBit : std::uint16_t {
-  kHazardNoSteerage = 1u << 0,  // below the minimum steerage speed: never recommended
-  kHazardFollowingUnwatched =
-      1u << 1,  // low-encounter components carry more than a fifth of a watched variance
-};
-
 inline constexpr std::uint8_t kNoCriterion = 255;
 inline constexpr std::uint8_t kNoSystem = 255;
 
@@ -58,7 +52,7 @@ struct Cell {
   Verdict verdict = Verdict::kUnknown;
   std::uint8_t governing = kNoCriterion;      // index into Criteria
   std::uint8_t governing_system = kNoSystem;  // wave system that contributes most of the governing variance
-  std::uint16_t hazards = 0;
+  std::uint16_t hazards = 0;                  // HazardBit
   std::uint32_t quality = 0;
   float margin = 0.0F;
   std::array<float, kMaxCriteria> values{};

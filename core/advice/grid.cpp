@@ -99,6 +99,20 @@ CellCircumstances circumstances(const GridInputs& inputs, double speed, double l
   return known;
 }
 
+double unknown_share(const Grid& grid) {
+  std::size_t num_cells = 0;
+  std::size_t num_unknown = 0;
+  for (std::size_t v = 0; v < grid.num_speeds; ++v) {
+    for (std::size_t h = 0; h < grid.num_headings; ++h) {
+      const Cell& cell = grid.cells[v][h];
+      const bool counts = (cell.hazards & kHazardNoSteerage) == 0;
+      num_cells += counts ? 1 : 0;
+      num_unknown += counts && cell.verdict == Verdict::kUnknown ? 1 : 0;
+    }
+  }
+  return num_cells > 0 ? static_cast<double>(num_unknown) / static_cast<double>(num_cells) : -1.0;
+}
+
 Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out) {
   if (const Status status = check_inputs(inputs); !status) {
     return status;

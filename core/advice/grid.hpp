@@ -54,6 +54,9 @@ struct GridWorkspace {
 /// kOutOfRange (num_headings), kTooMany (sea and transfer functions have different frequencies).
 Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out);
 
+/// The part of the cells at steerage speed and above whose verdict is unknown; -1 when there is none.
+double unknown_share(const Grid& grid);
+
 /// What is known of a cell before its moments are. `low_encounter_share`: of the wave energy, where the
 /// method forces loads to zero there; else 0.
 CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share,

@@ -54,8 +54,9 @@ struct StepOutput {
   Grid grid;
   CellResponse present;  // without advice: no quantities, verdict unknown
   std::uint32_t quality = 0;
-  double hs = 0.0;         // of the sea that was used [m]
-  double lost_tail = 0.0;  // fraction of its m0 outside the frequencies
+  double hs = 0.0;              // of the sea that was used [m]
+  double lost_tail = 0.0;       // fraction of its m0 outside the frequencies
+  double unknown_share = -1.0;  // of the cells at steerage speed and above, 0 ... 1; -1: no grid
   std::size_t num_systems = 0;
   std::array<WaveSystem, kMaxWaveSystems> systems{};
 };
