@@ -84,16 +84,48 @@ struct Grid {
   std::array<std::array<Cell, kMaxHeadings>, kMaxSpeeds> cells{};
 };
 
+/// The way from the present course and speed to the new ones (turn.hpp): what the ship meets between the
+/// first order and the new state. It does not know the heel of the turn itself.
+struct Turn {
+  bool is_known = false;
+  Verdict worst_verdict = Verdict::kUnknown;    // where on the way it is worst, and what it is there
+  std::uint8_t worst_governing = kNoCriterion;  // index into Criteria
+  std::uint8_t worst_system = kNoSystem;        // the wave system that gives most of it
+  std::uint16_t worst_hazards = 0;
+  float worst_margin = 0.0F;
+  float worst_heading = 0.0F;     // rad
+  float worst_speed = 0.0F;       // m/s
+  float time = 0.0F;              // s, until course and speed are there
+  float time_exceeded = 0.0F;     // s of it in cells above a limit
+  float time_unknown = 0.0F;      // s of it in cells that are not judged
+  float max_roll = kNotComputed;  // rad, most probable largest amplitude on the way
+};
+
+/// As outlook_t's CHANGE_...
+enum class ChangeKind : std::uint8_t {
+  kSmallest = 0,  // the least effort that works
+  kLarger = 1,    // more effort, and much more margin
+  kHeaveTo = 2,   // bow to the sea at the lowest steerage speed
+  kOther = 3,
+};
+
 /// A change of course and/or speed that brings the ship back inside the limits.
 struct Change {
   double heading = 0.0;         // new heading [rad], compass
   double speed = 0.0;           // new speed [m/s]
-  double heading_change = 0.0;  // signed, + to starboard [rad]
+  double heading_change = 0.0;  // as turned, + to starboard [rad]; beyond pi: the longer way round
   double speed_change = 0.0;    // signed [m/s]
   double effort = 0.0;          // what "smallest" means: see ranking.hpp
   Verdict verdict = Verdict::kUnknown;
   std::uint8_t governing = kNoCriterion;
   float margin = 0.0F;
+  ChangeKind kind = ChangeKind::kOther;
+  std::uint8_t governing_system = kNoSystem;
+  std::uint16_t hazards = 0;
+  std::uint8_t next = kNoCriterion;  // the criterion nearest to its limit after the governing one
+  float next_margin = kNotComputed;  // factor on wave height; kNotComputed: there is none
+  float speed_loss = kNotComputed;   // involuntary, at the new course and speed [m/s]
+  Turn turn{};
 };
 
 enum class NoAdvice : std::uint8_t {
@@ -117,9 +149,13 @@ struct Advice {
   NoAdvice no_advice = NoAdvice::kNotConfigured;  // kNone: the rest is valid
   Heading heading{};
   double speed = 0.0;  // m/s
-  Cell present{};      // at the present course and speed
+  Cell present{};      // at the present course and speed; its verdict is the steady one (steadiness.hpp)
+  Verdict verdict_now = Verdict::kUnknown;  // of this cycle alone: never worse than the steady one
+  double better_in = 0.0;            // s until the steady verdict follows, if this lasts; 0: it does already
+  std::uint8_t next = kNoCriterion;  // as in Change, at the present course and speed
+  float next_margin = kNotComputed;
   StaticVector<Change, kMaxChanges>
-      changes{};                 // ranked, smallest first; empty when none is needed or none helps
+      changes{};                 // the recommended one first; empty when none is needed or none helps
   bool change_needed = false;    // present verdict is not good
   bool none_is_good = false;     // needed, and no cell is good: changes lead to the best that can be had
   bool no_change_helps = false;  // needed, and no cell is better

@@ -124,6 +124,9 @@ inline constexpr std::size_t kMaxCriteria = capacity::Profile::kMaxCriteria;
 // Changes of course or speed that are ranked and sent.
 inline constexpr std::size_t kMaxChanges = 8;
 
+// Speeds of a hull file's calm-water resistance.
+inline constexpr std::size_t kMaxResistancePoints = 16;
+
 // Names of points and criteria: bytes of UTF-8 including the final zero.
 inline constexpr std::size_t kMaxNameBytes = 32;
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/constants.hpp"
 #include "core/base/name.hpp"
@@ -106,6 +107,20 @@ struct GridDefinition {
   double heading_step = 0.0;
 };
 
+/// How the ship changes course and speed, for what she meets on the way (advice/turn.hpp). The values here
+/// are ours, of no ship: a careful alteration in a seaway, well below what full rudder does.
+struct Handling {
+  double turn_rate = radians(30.0) / 60.0;            // rad/s
+  double slowing = (1852.0 / 3600.0) / 60.0;          // m/s2: 1 kn a minute
+  double speeding_up = 0.5 * (1852.0 / 3600.0) / 60;  // m/s2
+};
+
+/// Resistance in calm water [N] at a speed [m/s].
+struct CalmWaterResistance {
+  double speed = 0.0;
+  double force = 0.0;
+};
+
 struct Hull {
   Name name;
   double lpp = 0.0;
@@ -118,6 +133,8 @@ struct Hull {
   StaticVector<FreeboardPoint, kMaxFreeboardPoints> freeboard;
   std::optional<Propeller> propeller;
   double min_steerage_speed = 0.0;  // m/s
+  Handling handling;
+  StaticVector<CalmWaterResistance, kMaxResistancePoints> resistance;  // increasing speed; none: not known
   GridDefinition grid;
 };
 

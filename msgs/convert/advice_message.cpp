@@ -109,7 +109,7 @@ void put_changes(const Advice& advice, const Grid& grid, const Criteria& criteri
     const Change& change = advice.changes[i];
     out.change_to_heading_deg[i] = degrees(wrap_two_pi(change.heading));
     out.change_to_speed_kn[i] = to_knots(change.speed);
-    out.change_heading_deg[i] = degrees(wrap_pi(change.heading_change));
+    out.change_heading_deg[i] = degrees(change.heading_change);
     out.change_speed_kn[i] = to_knots(change.speed_change);
     out.change_effort[i] = change.effort;
     out.change_verdict[i] = static_cast<std::int8_t>(change.verdict);
