@@ -17,3 +17,12 @@ find_program(LCM_GEN lcm-gen REQUIRED)
 add_library(quickstrip_lcm INTERFACE)
 target_include_directories(quickstrip_lcm SYSTEM INTERFACE ${LCM_INCLUDE_DIR})
 target_link_libraries(quickstrip_lcm INTERFACE ${LCM_LIBRARY})
+
+# cpp-httplib as Debian packages it: a shared library whose classes have other layouts without these three.
+find_path(CPP_HTTPLIB_INCLUDE_DIR httplib.h REQUIRED)
+find_library(CPP_HTTPLIB_LIBRARY cpp-httplib REQUIRED)
+add_library(quickstrip_httplib INTERFACE)
+target_include_directories(quickstrip_httplib SYSTEM INTERFACE ${CPP_HTTPLIB_INCLUDE_DIR})
+target_compile_definitions(quickstrip_httplib INTERFACE
+  CPPHTTPLIB_OPENSSL_SUPPORT CPPHTTPLIB_ZLIB_SUPPORT CPPHTTPLIB_BROTLI_SUPPORT)
+target_link_libraries(quickstrip_httplib INTERFACE ${CPP_HTTPLIB_LIBRARY} Threads::Threads)
