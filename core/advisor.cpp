@@ -3,8 +3,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/advice/next_criterion.hpp"
 #include "core/advice/quality.hpp"
-#include "core/advice/ranking.hpp"
 
 namespace quickstrip {
 namespace {
@@ -57,8 +57,10 @@ Result<SpeedList> list_speeds(const GridDefinition& grid) {
 
 }  // namespace
 
-Status Advisor::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method) {
+Status Advisor::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
+                          const SteadinessOptions& steadiness) {
   state_ = State::kNotConfigured;
+  steadiness_.configure(steadiness);
   has_sea_ = false;
   hull_ = hull;
   criteria_ = criteria;
@@ -108,6 +110,7 @@ Status Advisor::rebuild() {
     return {};
   }
   has_sea_ = false;  // it was placed on the frequencies of the former loading
+  steadiness_.forget();
   const Status status = build(loading_);
   state_ = status ? State::kReady : State::kLoadingRefused;
   return status;
@@ -119,7 +122,7 @@ const StepOutput& Advisor::step(const StepInputs& inputs) {
     withhold(reason);
     return output_;
   }
-  if (const NoAdvice refused = advise(*inputs.own_ship); refused != NoAdvice::kNone) {
+  if (const NoAdvice refused = advise(inputs); refused != NoAdvice::kNone) {
     withhold(refused);
   }
   return output_;
@@ -175,7 +178,8 @@ NoAdvice Advisor::place_sea(const StepInputs& inputs) {
   return has_sea_ ? NoAdvice::kNone : NoAdvice::kSeaImplausible;
 }
 
-NoAdvice Advisor::advise(const OwnShip& ship) {
+NoAdvice Advisor::advise(const StepInputs& step) {
+  const OwnShip& ship = *step.own_ship;
   output_.quality = hull_quality(loaded_, loading_) | depth_quality(ship.water_depth, sea_, loading_) |
                     (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
   is_stabilised_ = ship.is_stabilised;
@@ -187,6 +191,9 @@ NoAdvice Advisor::advise(const OwnShip& ship) {
   if (!sweep_grid(inputs, alive<GridWorkspace>(scratch_), output_.grid)) {
     return NoAdvice::kInternal;
   }
+  constexpr int kSpectrum = -1;
+  steadiness_.begin(step.time, step.spectrum != nullptr ? kSpectrum : step.sea_source);
+  steadiness_.steady(criteria_, output_.grid);
   output_.unknown_share = unknown_share(output_.grid);
   const Status status = respond(inputs, ship.heading, ship.speed, output_.present);
   if (status.error() == Error::kSpeedOutOfGrid) {
@@ -198,12 +205,52 @@ NoAdvice Advisor::advise(const OwnShip& ship) {
   if (!status) {
     return NoAdvice::kInternal;
   }
-  const Present present{
-      .heading = {wrap_two_pi(ship.heading.radians)},
-      .speed = ship.speed,
-      .following_seas = is_from_astern(output_.present.cell.governing_system, ship.heading)};
-  rank_changes(output_.grid, present, output_.present.cell, output_.advice);
+  advise_at(present_of(ship), inputs);
   return NoAdvice::kNone;
+}
+
+/// The steady verdict, the changes, and what comes next after each.
+void Advisor::advise_at(const Present& present, const GridInputs& inputs) {
+  Cell& cell = output_.present.cell;
+  const Verdict now = cell.verdict;
+  const Steadiness::Shown shown = steadiness_.present(criteria_, output_.grid, present, cell);
+  cell.verdict = shown.verdict;
+  Advice& advice = output_.advice;
+  rank_changes(output_.grid, present, cell, advice, steadiness_.standing(present));
+  steadiness_.follow(advice);
+  advice.verdict_now = now;
+  advice.better_in = shown.better_in;
+  if (const auto next = next_criterion(inputs, present.heading, present.speed, cell.governing)) {
+    advice.next = next->criterion;
+    advice.next_margin = next->margin;
+  }
+  for (Change& change : advice.changes) {
+    if (const auto next = next_criterion(inputs, {change.heading}, change.speed, change.governing)) {
+      change.next = next->criterion;
+      change.next_margin = next->margin;
+    }
+  }
+}
+
+Present Advisor::present_of(const OwnShip& ship) const {
+  Present present{.heading = {wrap_two_pi(ship.heading.radians)},
+                  .speed = ship.speed,
+                  .following_seas = is_from_astern(output_.present.cell.governing_system, ship.heading),
+                  .handling = hull_.handling};
+  double most_energetic = 0.0;
+  for (std::size_t s = 0; s < sea_.num_systems; ++s) {
+    if (sea_.system[s].hs > most_energetic) {
+      most_energetic = sea_.system[s].hs;
+      present.has_sea_ahead = true;
+      present.sea_from = sea_.system[s].from;
+    }
+  }
+  if (loading_.measured_roll_period) {
+    present.roll_period = *loading_.measured_roll_period;
+  } else if (loaded_.roll_natural_frequency > 0.0) {
+    present.roll_period = kTwoPi / loaded_.roll_natural_frequency;
+  }
+  return present;
 }
 
 void Advisor::withhold(NoAdvice reason) {
@@ -247,7 +294,13 @@ Status Advisor::respond_at(Heading heading, double speed, CellResponse& out) con
   if (!has_sea_) {
     return Error::kNotConfigured;
   }
-  return respond(grid_inputs(output_.quality), heading, speed, out);
+  const Status status = respond(grid_inputs(output_.quality), heading, speed, out);
+  if (status) {
+    const CellIndex near = nearest_cell(output_.grid, heading, speed);
+    const Verdict shown = output_.grid.cells[near.speed][near.heading].verdict;
+    out.cell.verdict = severity(shown) > severity(out.cell.verdict) ? shown : out.cell.verdict;
+  }
+  return status;
 }
 
 }  // namespace quickstrip

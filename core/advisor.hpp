@@ -20,6 +20,8 @@
 
 #include "core/advice/criteria.hpp"
 #include "core/advice/grid.hpp"
+#include "core/advice/ranking.hpp"
+#include "core/advice/steadiness.hpp"
 #include "core/advice/step.hpp"
 #include "core/advice/verdict.hpp"
 #include "core/base/capacity.hpp"
@@ -38,7 +40,8 @@ class Advisor {
   /// With the hull's own loading. Errors: those of check_criteria, load, list_channels,
   /// solve_transfer_functions; kOutOfRange or kTooMany for the grid definition. After an error not
   /// configured.
-  Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method);
+  Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
+                   const SteadinessOptions& steadiness = {});
 
   /// One cycle. The reference stays valid until the next step.
   const StepOutput& step(const StepInputs& inputs);
@@ -52,7 +55,8 @@ class Advisor {
   Status rebuild();
 
   /// Every quantity at any course and speed of the grid, in the sea of the last step that gave advice or said
-  /// kSpeedOutsideGrid. Errors: kNotConfigured (no such step), kSpeedOutOfGrid, kNotFinite.
+  /// kSpeedOutsideGrid; the verdict is no better than the shown one of the nearest cell. Errors:
+  /// kNotConfigured (no such step), kSpeedOutOfGrid, kNotFinite.
   Status respond_at(Heading heading, double speed, CellResponse& out) const;
 
   [[nodiscard]] const Criteria& criteria() const { return criteria_; }
@@ -68,7 +72,9 @@ class Advisor {
   NoAdvice take_loading(const StepInputs& inputs);
   NoAdvice take_inputs(const StepInputs& inputs);
   NoAdvice place_sea(const StepInputs& inputs);
-  NoAdvice advise(const OwnShip& ship);
+  NoAdvice advise(const StepInputs& inputs);
+  void advise_at(const Present& present, const GridInputs& inputs);
+  [[nodiscard]] Present present_of(const OwnShip& ship) const;
   void withhold(NoAdvice reason);
   [[nodiscard]] GridInputs grid_inputs(std::uint32_t quality) const;
   [[nodiscard]] bool is_from_astern(std::uint8_t system, Heading heading) const;
@@ -86,6 +92,7 @@ class Advisor {
   Watch watch_;
   CriteriaChannels channels_;
   SeaEnergy sea_;
+  Steadiness steadiness_;
   // Of rebuilding and of a cycle, which are never at once: one memory for both.
   std::variant<TransferWorkspace, GridWorkspace> scratch_;
   StepOutput output_;

@@ -12,100 +12,16 @@
 namespace quickstrip {
 namespace {
 
-constexpr std::uint16_t kNeverRecommended = kHazardNoSteerage | kHazardFollowingUnwatched;
-constexpr double kNoTurn = 1e-6;         // rad; less than this is no change of course
-constexpr double kNoSpeedChange = 1e-6;  // m/s
-
 /// What is aimed at, from the best down.
-enum class Aim : std::uint8_t { kGood, kCaution, kGreatestMargin, kNothing };
+enum class Aim : std::uint8_t { kGood, kCaution, kLeastBad, kNothing };
 
-enum Kind : std::size_t { kSlower, kFaster, kStarboard, kPort, kCombined, kNumKinds };
+enum Sort : std::size_t { kSlower, kFaster, kStarboard, kPort, kCombined, kNumSorts };
 
-using Best = std::array<std::optional<Change>, kNumKinds>;
+using Best = std::array<std::optional<Change>, kNumSorts>;
 
-struct Columns {
-  std::size_t first = 0;
-  std::size_t second = 0;  // the same when the value lies on the grid
-};
+constexpr double kStandingBadness = 1.1;  // beyond kLeastBadWithin, for a recommendation that stands
 
-/// Headings of the grid on either side of the present course.
-Columns heading_columns(const Grid& grid, Heading heading) {
-  const auto n = static_cast<double>(grid.num_headings);
-  const double turned = wrap_two_pi(heading.radians) / kTwoPi * n;
-  const double nearest = std::round(turned);
-  if (std::abs(turned - nearest) * kTwoPi / n < kNoTurn) {
-    const std::size_t column = static_cast<std::size_t>(nearest) % grid.num_headings;
-    return {column, column};
-  }
-  const auto below = static_cast<std::size_t>(std::floor(turned));
-  return {below % grid.num_headings, (below + 1) % grid.num_headings};
-}
-
-/// Speeds of the grid on either side of the present speed.
-Columns speed_rows(const Grid& grid, double speed) {
-  std::size_t upper = 0;
-  while (upper + 1 < grid.num_speeds && grid.speeds[upper] < speed - kNoSpeedChange) {
-    ++upper;
-  }
-  const bool on_grid = upper == 0 || std::abs(grid.speeds[upper] - speed) <= kNoSpeedChange;
-  return {on_grid ? upper : upper - 1, upper};
-}
-
-bool may_be_recommended(const Cell& cell) {
-  return cell.verdict != Verdict::kUnknown && (cell.hazards & kNeverRecommended) == 0;
-}
-
-/// The one that speaks for both: not to be recommended, then the worse verdict, then the smaller margin.
-const Cell& worse(const Cell& a, const Cell& b) {
-  if (may_be_recommended(a) != may_be_recommended(b)) {
-    return may_be_recommended(a) ? b : a;
-  }
-  if (a.verdict != b.verdict) {
-    return a.verdict > b.verdict ? a : b;
-  }
-  return a.margin <= b.margin ? a : b;
-}
-
-bool meets(const Cell& cell, Aim aim) {
-  if (!may_be_recommended(cell)) {
-    return false;
-  }
-  switch (aim) {
-    case Aim::kGood:
-      return cell.verdict == Verdict::kGood;
-    case Aim::kCaution:
-      return cell.verdict == Verdict::kCaution;
-    case Aim::kGreatestMargin:
-      return cell.verdict == Verdict::kExceeded;
-    case Aim::kNothing:
-      break;
-  }
-  return false;
-}
-
-/// Efforts that differ by rounding only are equal: the tie rules decide, on every machine alike.
-std::int64_t rounded_effort(const Change& change) {
-  return std::llround(change.effort * 1e9);
-}
-
-bool is_smaller(const Change& a, const Change& b) {
-  if (rounded_effort(a) != rounded_effort(b)) {
-    return rounded_effort(a) < rounded_effort(b);
-  }
-  if (std::abs(a.speed_change - b.speed_change) > kNoSpeedChange) {
-    return a.speed_change < b.speed_change;
-  }
-  if (std::abs(std::abs(a.heading_change) - std::abs(b.heading_change)) > kNoTurn) {
-    return std::abs(a.heading_change) < std::abs(b.heading_change);
-  }
-  return a.heading_change > b.heading_change;
-}
-
-bool has_greater_margin(const Change& a, const Change& b) {
-  return a.margin != b.margin ? a.margin > b.margin : is_smaller(a, b);
-}
-
-Kind kind_of(const Change& change) {
+Sort sort_of(const Change& change) {
   const bool turns = std::abs(change.heading_change) > kNoTurn;
   const bool changes_speed = std::abs(change.speed_change) > kNoSpeedChange;
   if (turns && changes_speed) {
@@ -117,148 +33,270 @@ Kind kind_of(const Change& change) {
   return change.speed_change < 0.0 ? kSlower : kFaster;
 }
 
-/// Walks over all candidates of one present state; visit(Change, Cell) for each.
-class Candidates {
- public:
-  Candidates(const Grid& grid, const Present& present)
-      : grid_(grid),
-        present_(present),
-        columns_(heading_columns(grid, present.heading)),
-        rows_(speed_rows(grid, present.speed)) {}
+bool goes_to_the_same(const Change& a, const Change& b) {
+  return std::abs(wrap_pi(a.heading - b.heading)) <= kNoTurn && std::abs(a.speed - b.speed) <= kNoSpeedChange;
+}
 
-  template <typename Visit>
-  void for_each(const Visit& visit) const {
-    for (std::size_t v = 0; v < grid_.num_speeds; ++v) {
-      const auto& row = grid_.cells[v];
-      offer(present_.heading.radians, grid_.speeds[v], worse(row[columns_.first], row[columns_.second]),
-            visit);
-    }
-    for (std::size_t h = 0; h < grid_.num_headings; ++h) {
-      const Cell& cell = worse(grid_.cells[rows_.first][h], grid_.cells[rows_.second][h]);
-      offer(heading(h), present_.speed, cell, visit);
-    }
-    for (std::size_t v = 0; v < grid_.num_speeds; ++v) {
-      for (std::size_t h = 0; h < grid_.num_headings; ++h) {
-        offer(heading(h), grid_.speeds[v], grid_.cells[v][h], visit);
+bool is_same(const Change& change, const Standing& standing) {
+  const bool turns = std::abs(change.heading_change) > kNoTurn;
+  const bool changes_speed = std::abs(change.speed_change) > kNoSpeedChange;
+  return turns == standing.turns && changes_speed == standing.changes_speed &&
+         (!turns || std::abs(wrap_pi(change.heading - standing.heading)) <= kNoTurn) &&
+         (!changes_speed || std::abs(change.speed - standing.speed) <= kNoSpeedChange);
+}
+
+/// One ranking: the grid, what is aimed at, and what meets it.
+class Ranking {
+ public:
+  Ranking(const Candidates& candidates, const Cell& present_cell)
+      : candidates_(candidates), present_cell_(present_cell), aim_(find_aim()) {}
+
+  [[nodiscard]] Aim aim() const { return aim_; }
+
+  [[nodiscard]] Best smallest_of_each_sort() const {
+    Best best;
+    candidates_.for_each([&](const Change& candidate, const Cell& cell) {
+      if (!meets(cell)) {
+        return;
       }
+      // Its turn can only add to its effort, and a longer way round to another sort.
+      std::optional<Change>& expected = best[sort_of(candidate)];
+      if (expected && is_smaller(*expected, candidate)) {
+        return;
+      }
+      Change change = candidate;
+      candidates_.count_turn(change);
+      std::optional<Change>& kept = best[sort_of(change)];
+      if (!kept || is_smaller(change, *kept)) {
+        kept = change;
+      }
+    });
+    drop_combined_unless_smallest(best);
+    return best;
+  }
+
+  [[nodiscard]] std::optional<Change> larger_than(const Change& first) const {
+    std::optional<Change> best;
+    const auto least_margin = static_cast<float>(kMuchMoreMargin * static_cast<double>(first.margin));
+    constexpr double kRounding = 1.0 + 1e-9;
+    const double most_effort = kRounding * kMuchMoreEffort * first.effort;
+    const auto zones = static_cast<unsigned>(first.hazards & kZoneBits);
+    candidates_.for_each([&](const Change& candidate, const Cell& cell) {
+      const bool buys_much =
+          meets(cell) && cell.margin >= least_margin && (cell.hazards & kZoneBits & ~zones) == 0;
+      if (!buys_much || candidate.effort > most_effort || (best && cell.margin < best->margin)) {
+        return;
+      }
+      Change change = candidate;
+      candidates_.count_turn(change);
+      const bool is_better = !best || change.margin > best->margin || is_smaller(change, *best);
+      if (change.effort <= most_effort && is_better) {
+        best = change;
+      }
+    });
+    return best;
+  }
+
+  [[nodiscard]] std::optional<Change> heave_to() const;
+
+  /// The recommendation that stands, if it may go on standing beside the smallest change.
+  [[nodiscard]] std::optional<Change> standing(const Standing& standing, const Change& smallest) const {
+    std::optional<Change> found;
+    candidates_.for_each([&](const Change& candidate, const Cell& cell) {
+      if (!found && is_same(candidate, standing) && meets(cell, kStandingBadness)) {
+        found = candidate;
+        candidates_.count_turn(*found, standing.side);
+      }
+    });
+    if (found && !(found->effort <= kStandingFactor * smallest.effort + kStandingSlack)) {
+      found.reset();
     }
+    return found;
   }
 
  private:
-  [[nodiscard]] double heading(std::size_t h) const {
-    return kTwoPi * static_cast<double>(h) / static_cast<double>(grid_.num_headings);
-  }
-
-  template <typename Visit>
-  void offer(double heading, double speed, const Cell& cell, const Visit& visit) const {
-    Change change{.heading = wrap_two_pi(heading),
-                  .speed = speed,
-                  .heading_change = wrap_pi(heading - present_.heading.radians),
-                  .speed_change = speed - present_.speed,
-                  .verdict = cell.verdict,
-                  .governing = cell.governing,
-                  .margin = cell.margin};
-    if (std::abs(change.heading_change) <= kNoTurn && std::abs(change.speed_change) <= kNoSpeedChange) {
-      return;
+  /// `slack`: factor on what is bad enough where only the least bad is aimed at.
+  [[nodiscard]] bool meets(const Cell& cell, double slack = 1.0) const {
+    if (!candidates_.may_be_recommended(cell)) {
+      return false;
     }
-    change.effort = change_effort(change.heading_change, change.speed_change, present_.following_seas);
-    visit(change, cell);
+    switch (aim_) {
+      case Aim::kGood:
+        return cell.verdict == Verdict::kGood;
+      case Aim::kCaution:
+        return cell.verdict == Verdict::kCaution;
+      case Aim::kLeastBad:
+        return cell.verdict == Verdict::kExceeded && badness(cell) < badness(present_cell_) &&
+               badness(cell) <= kLeastBadWithin * slack * least_badness_;
+      case Aim::kNothing:
+        break;
+    }
+    return false;
   }
 
-  const Grid& grid_;
-  const Present& present_;
-  Columns columns_;
-  Columns rows_;
+  Aim find_aim() {
+    std::array<bool, 4> any{};  // by verdict
+    for (std::size_t v = 0; v < candidates_.grid().num_speeds; ++v) {
+      for (std::size_t h = 0; h < candidates_.grid().num_headings; ++h) {
+        const Cell& cell = candidates_.grid().cells[v][h];
+        if (candidates_.may_be_recommended(cell)) {
+          any[static_cast<std::size_t>(cell.verdict)] = true;
+          least_badness_ = std::min(least_badness_, badness(cell));
+        }
+      }
+    }
+    if (any[static_cast<std::size_t>(Verdict::kGood)]) {
+      return Aim::kGood;
+    }
+    if (present_cell_.verdict != Verdict::kExceeded) {
+      return Aim::kNothing;  // caution is no improvement on caution, and nothing is known to beat the unknown
+    }
+    if (any[static_cast<std::size_t>(Verdict::kCaution)]) {
+      return Aim::kCaution;
+    }
+    return any[static_cast<std::size_t>(Verdict::kExceeded)] ? Aim::kLeastBad : Aim::kNothing;
+  }
+
+  static void drop_combined_unless_smallest(Best& best) {
+    const bool is_smallest =
+        best[kCombined] && std::none_of(best.begin(), best.begin() + kCombined, [&](const auto& pure) {
+          return pure && !is_smaller(*best[kCombined], *pure);
+        });
+    if (!is_smallest) {
+      best[kCombined].reset();
+    }
+  }
+
+  const Candidates& candidates_;
+  const Cell& present_cell_;
+  double least_badness_ = kWorstBadness;  // of a cell that may be recommended
+  Aim aim_;
 };
 
-bool any_meets(const Grid& grid, Aim aim) {
-  for (std::size_t v = 0; v < grid.num_speeds; ++v) {
-    const auto end = grid.cells[v].begin() + static_cast<std::ptrdiff_t>(grid.num_headings);
-    if (std::any_of(grid.cells[v].begin(), end, [aim](const Cell& cell) { return meets(cell, aim); })) {
-      return true;
+std::optional<Change> Ranking::heave_to() const {
+  const Grid& grid = candidates_.grid();
+  const Present& present = candidates_.present();
+  std::size_t v = 0;
+  while (v < grid.num_speeds && (grid.cells[v][0].hazards & kHazardNoSteerage) != 0) {
+    ++v;
+  }
+  if (!present.has_sea_ahead || present_cell_.verdict != Verdict::kExceeded || v == grid.num_speeds) {
+    return std::nullopt;
+  }
+  std::optional<Change> best;
+  double best_off = 0.0;
+  candidates_.for_each([&](const Change& candidate, const Cell& cell) {
+    const double off = std::abs(wrap_pi(candidate.heading - present.sea_from.radians));
+    const bool is_there =
+        std::abs(candidate.speed - grid.speeds[v]) <= kNoSpeedChange && off <= kHeaveToSector;
+    const bool is_better = cell.verdict < present_cell_.verdict || badness(cell) < badness(present_cell_);
+    if (!is_there || !candidates_.may_be_recommended(cell) || !is_better) {
+      return;
     }
-  }
-  return false;
-}
-
-Aim aim_of(const Grid& grid, const Cell& present_cell) {
-  if (any_meets(grid, Aim::kGood)) {
-    return Aim::kGood;
-  }
-  if (present_cell.verdict != Verdict::kExceeded) {
-    return Aim::kNothing;  // caution is no improvement on caution, and nothing is known to beat the unknown
-  }
-  if (any_meets(grid, Aim::kCaution)) {
-    return Aim::kCaution;
-  }
-  return any_meets(grid, Aim::kGreatestMargin) ? Aim::kGreatestMargin : Aim::kNothing;
-}
-
-Best smallest_of_each_kind(const Candidates& candidates, Aim aim) {
-  Best best;
-  candidates.for_each([&](const Change& change, const Cell& cell) {
-    std::optional<Change>& kept = best[kind_of(change)];
-    if (meets(cell, aim) && (!kept || is_smaller(change, *kept))) {
-      kept = change;
+    const bool goes_before =
+        !best || cell.verdict < best->verdict ||
+        (cell.verdict == best->verdict &&
+         (cell.margin > best->margin || (cell.margin == best->margin && off < best_off - kNoTurn)));
+    if (goes_before) {
+      best = candidate;
+      best_off = off;
     }
   });
-  const bool combined_is_smallest =
-      best[kCombined] && std::none_of(best.begin(), best.begin() + kCombined, [&](const auto& pure) {
-        return pure && !is_smaller(*best[kCombined], *pure);
-      });
-  if (!combined_is_smallest) {
-    best[kCombined].reset();
+  if (best) {
+    candidates_.count_turn(*best);
+    best->kind = ChangeKind::kHeaveTo;
   }
   return best;
 }
 
-/// Insertion of a handful: std::sort recurses.
-void insert_in_order(const Change& change, Advice& out) {
+/// Insertion of a handful: std::sort recurses. The first `fixed` stay where they are.
+void insert_in_order(const Change& change, std::size_t fixed, Advice& out) {
   QS_CHECK(out.changes.push_back(change));
-  for (std::size_t i = out.changes.size() - 1; i > 0 && is_smaller(out.changes[i], out.changes[i - 1]); --i) {
+  for (std::size_t i = out.changes.size() - 1; i > fixed && is_smaller(out.changes[i], out.changes[i - 1]);
+       --i) {
     std::swap(out.changes[i], out.changes[i - 1]);
   }
 }
 
-Best greatest_margin(const Candidates& candidates, const Cell& present_cell) {
-  Best best;
-  std::optional<Change>& kept = best[0];
-  candidates.for_each([&](const Change& change, const Cell& cell) {
-    if (meets(cell, Aim::kGreatestMargin) && change.margin > present_cell.margin &&
-        (!kept || has_greater_margin(change, *kept))) {
-      kept = change;
+/// One that is there already only gets the name.
+void add_named(const std::optional<Change>& change, ChangeKind kind, Advice& out) {
+  if (!change) {
+    return;
+  }
+  for (Change& there : out.changes) {
+    if (goes_to_the_same(there, *change)) {
+      there.kind = there.kind == ChangeKind::kOther ? kind : there.kind;
+      return;
     }
-  });
-  return best;
+  }
+  Change named = *change;
+  named.kind = kind;
+  insert_in_order(named, 1, out);
+}
+
+void list_changes(const Ranking& ranking, const Standing& standing, Advice& out) {
+  Best best = ranking.smallest_of_each_sort();
+  for (const auto& change : best) {
+    if (change) {
+      insert_in_order(*change, 0, out);
+    }
+  }
+  if (!out.changes.empty() && standing.is_there) {
+    if (const auto stands = ranking.standing(standing, out.changes[0])) {
+      best[sort_of(*stands)] = stands;
+      out.changes.clear();
+      insert_in_order(*stands, 0, out);
+      for (const auto& change : best) {
+        if (change && !goes_to_the_same(*change, *stands)) {
+          insert_in_order(*change, 1, out);
+        }
+      }
+    }
+  }
+  if (!out.changes.empty()) {
+    out.changes[0].kind = ChangeKind::kSmallest;
+    add_named(ranking.larger_than(out.changes[0]), ChangeKind::kLarger, out);
+  }
+  const bool little_works =
+      out.changes.empty() || ranking.aim() != Aim::kGood || out.changes[0].effort > kLittleWorks;
+  if (little_works) {
+    const bool is_first = out.changes.empty();
+    add_named(ranking.heave_to(), ChangeKind::kHeaveTo, out);
+    QS_CHECK(!is_first || out.changes.size() <= 1);
+  }
 }
 
 }  // namespace
 
-double change_effort(double course_change, double speed_change, bool following_seas) {
-  const double speeding_up = following_seas && speed_change > 0.0 ? kSpeedingUpInFollowingSeas : 1.0;
-  return std::hypot(course_change / kEffortCourse, speeding_up * speed_change / kEffortSpeed);
+Standing standing_of(const Change& change) {
+  const bool turns = std::abs(change.heading_change) > kNoTurn;
+  return {.is_there = true,
+          .turns = turns,
+          .changes_speed = std::abs(change.speed_change) > kNoSpeedChange,
+          .side = !turns ? 0 : (change.heading_change > 0.0 ? 1 : -1),
+          .heading = change.heading,
+          .speed = change.speed};
 }
 
-void rank_changes(const Grid& grid, const Present& present, const Cell& present_cell, Advice& out) {
+void rank_changes(const Grid& grid, const Present& present, const Cell& present_cell, Advice& out,
+                  const Standing& standing) {
   QS_CHECK(grid.num_speeds > 0 && grid.num_headings > 0);
   out = Advice{.no_advice = NoAdvice::kNone,
                .heading = present.heading,
                .speed = present.speed,
                .present = present_cell,
+               .verdict_now = present_cell.verdict,
                .changes = {},
                .change_needed = present_cell.verdict != Verdict::kGood};
   if (!out.change_needed) {
     return;
   }
-  const Aim aim = aim_of(grid, present_cell);
-  out.none_is_good = aim != Aim::kGood;
-  const Candidates candidates(grid, present);
-  const Best best = aim == Aim::kGreatestMargin ? greatest_margin(candidates, present_cell)
-                                                : smallest_of_each_kind(candidates, aim);
-  for (const auto& change : best) {
-    if (change) {
-      insert_in_order(*change, out);
-    }
+  const Candidates candidates(grid, present, present_cell);
+  const Ranking ranking(candidates, present_cell);
+  out.none_is_good = ranking.aim() != Aim::kGood;
+  list_changes(ranking, standing, out);
+  for (Change& change : out.changes) {
+    change.turn = sum_up_turn(grid, candidates.turn_start(), {change.heading_change, change.speed_change});
   }
   out.no_change_helps = out.changes.empty();
 }

@@ -43,6 +43,7 @@ struct StepInputs {
   const OwnShip* own_ship = nullptr;
   const Loading* loading = nullptr;  // null: the loading in force stays
   NoAdvice no_advice = NoAdvice::kNone;
+  int sea_source = 0;                      // kind of source that the sea state comes from: any number each
   double time = 0.0;                       // of this cycle, from any fixed moment [s]: only differences count
   const MeasuredMotion* motion = nullptr;  // null: nothing measured, or too long ago
 };

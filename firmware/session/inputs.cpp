@@ -43,9 +43,11 @@ void Inputs::configure(const Hull& hull, const StaleAfter& stale_after) {
 }
 
 Conversion Inputs::accept(const sea_state_t& message, std::int64_t now, InputUse use) {
-  return sea_state_.accept(
-      message, now, use, stale_after_.future_tolerance_s,
-      [](const sea_state_t& from, DescribedSea& out) { return to_sea_state(from, out.sea, out.assumed); });
+  return sea_state_.accept(message, now, use, stale_after_.future_tolerance_s,
+                           [](const sea_state_t& from, DescribedSea& out) {
+                             out.source_kind = from.source_kind;
+                             return to_sea_state(from, out.sea, out.assumed);
+                           });
 }
 
 Conversion Inputs::accept(const wave_spectrum_t& message, std::int64_t now, InputUse use) {

@@ -57,6 +57,7 @@ struct KeptInputs {
 struct DescribedSea {
   SeaState sea;
   std::uint32_t assumed = 0;  // SeaAssumption
+  int source_kind = 0;        // sea_state_t's SOURCE_...
 };
 
 class Inputs {

@@ -109,7 +109,7 @@ Fitness Session::judge(std::int64_t now, Input& sea_in_force) const {
   return sea;
 }
 
-const StepOutput& Session::step(const Fitness& fitness, Input sea_in_force) {
+const StepOutput& Session::step(std::int64_t now, const Fitness& fitness, Input sea_in_force) {
   const bool is_spectrum = sea_in_force == Input::kWaveSpectrum;
   StepInputs step_inputs;
   step_inputs.sea_state = is_spectrum ? nullptr : &inputs_.sea_state().sea;
@@ -117,6 +117,9 @@ const StepOutput& Session::step(const Fitness& fitness, Input sea_in_force) {
   step_inputs.own_ship = &inputs_.ship().ship;
   step_inputs.loading = &inputs_.present_loading();
   step_inputs.no_advice = fitness.reason;
+  step_inputs.sea_source = inputs_.sea_state().source_kind;
+  constexpr double kMicrosecond_s = 1.0e-6;
+  step_inputs.time = kMicrosecond_s * static_cast<double>(now);
   return advisor_.step(step_inputs);
 }
 
@@ -124,7 +127,7 @@ void Session::cycle(std::int64_t now, Outbox& outbox) {
   ++cycle_;
   Input sea_in_force = Input::kWaveSpectrum;
   const Fitness fitness = judge(now, sea_in_force);
-  output_ = &step(fitness, sea_in_force);
+  output_ = &step(now, fitness, sea_in_force);
   send_limits(now, outbox);
   fill_advice(now, *output_, fitness, sea_in_force);
   send(OutChannel::kAdvice, advice_, outbox);

@@ -105,7 +105,7 @@ class Session {
  private:
   Conversion count_measured(Input input, const Conversion& conversion, std::int64_t utime, std::int64_t now);
   Fitness judge(std::int64_t now, Input& sea_in_force) const;
-  const StepOutput& step(const Fitness& fitness, Input sea_in_force);
+  const StepOutput& step(std::int64_t now, const Fitness& fitness, Input sea_in_force);
   void fill_advice(std::int64_t now, const StepOutput& output, const Fitness& fitness, Input sea_in_force);
   void send_limits(std::int64_t now, Outbox& outbox);
   void send_responses(std::int64_t now, Outbox& outbox);
