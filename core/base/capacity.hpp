@@ -46,6 +46,8 @@ struct Host {
   static constexpr std::size_t kMaxSpectrumDirections = 72;
   // Criteria of a profile: seven kinds, the local ones at several places.
   static constexpr std::size_t kMaxCriteria = 32;
+  // Of the ensemble of seas and ships within what is uncertain (core/advice/ensemble.hpp): a bit each.
+  static constexpr std::size_t kEnsembleMembers = 16;
 };
 
 /// A Cortex-M7 with external or large internal RAM, within 768 KiB: a grid of 36 headings x 8 speeds, a hull
@@ -70,6 +72,7 @@ struct M7 {
   static constexpr std::size_t kMaxSpectrumFrequencies = 24;
   static constexpr std::size_t kMaxSpectrumDirections = 36;
   static constexpr std::size_t kMaxCriteria = 12;
+  static constexpr std::size_t kEnsembleMembers = 0;  // no room
 };
 
 #if defined(QUICKSTRIP_CAPACITY_M7)
@@ -105,6 +108,10 @@ inline constexpr std::size_t kMaxFrequencies = capacity::Profile::kMaxFrequencie
 inline constexpr std::size_t kMaxPeakIntervals = capacity::Profile::kMaxPeakIntervals;
 inline constexpr std::size_t kMaxPeakPoints = capacity::Profile::kMaxPeakPoints;
 inline constexpr std::size_t kRollDampingLevels = capacity::Profile::kRollDampingLevels;
+inline constexpr std::size_t kEnsembleMembers = capacity::Profile::kEnsembleMembers;
+// Levels of damping at which a sweep holds motions of its own: of a shifted ship all of them.
+inline constexpr std::size_t kMaxDampedLevels =
+    kEnsembleMembers > 0 ? kRollDampingLevels : kRollDampingLevels - 1;
 inline constexpr std::size_t kNumRollUpdateNodes = capacity::Profile::kNumRollUpdateNodes;
 // Speeds of the semi-empirical added resistance; the one of a profile without it stays unused.
 inline constexpr bool kKeepsEmpiricalResistance = capacity::Profile::kKeepsEmpiricalResistance;

@@ -10,8 +10,6 @@
 namespace quickstrip {
 namespace {
 
-constexpr std::size_t kMoreLevels = kRollDampingLevels - 1;
-
 // What the ship answers to a roll moment at a list of frequencies of encounter, in single precision as the
 // motions are.
 template <std::size_t N>
@@ -44,21 +42,25 @@ struct Answers {
 template <std::size_t N>
 using Lateral = std::array<std::array<float, N>, 3>;
 
-// One level, `more` damping: roll + less, less = -roll i r / (D + i r), r = omega_e more; sway and yaw follow
-// it. No branches: the compiler makes vectors of it.
+// One addition: roll + less, less = -roll z / (D + z), z = more stiffness + i r, r = omega_e more damping;
+// sway and yaw follow it. No branches: the compiler makes vectors of it.
 template <std::size_t N>
-void damp(const Answers<N>& answer, std::size_t n, double more,
+void damp(const Answers<N>& answer, std::size_t n, const RollAddition& more,
           const std::array<std::span<const float, N>, 3>& re,
           const std::array<std::span<const float, N>, 3>& im, Lateral<N>& out_re, Lateral<N>& out_im) {
-  const auto added = static_cast<float>(more);
+  const auto added = static_cast<float>(more.damping);
+  const auto stiffer = static_cast<float>(more.stiffness);
   for (std::size_t i = 0; i < n; ++i) {
     const float r = answer.met[i] * added;
-    const float a = answer.impedance_re[i];
+    const float s = answer.met[i] > 0.0F ? stiffer : 0.0F;
+    const float a = answer.impedance_re[i] + s;
     const float b = answer.impedance_im[i] + r;
-    const float factor = -r / std::max(a * a + b * b, std::numeric_limits<float>::min());
+    const float factor = -1.0F / std::max(a * a + b * b, std::numeric_limits<float>::min());
+    const float p = factor * (s * a + r * b);
+    const float q = factor * (r * a - s * b);
     const float roll_im = answer.side[i] * im[1][i];
-    const float less_re = factor * (re[1][i] * b - roll_im * a);
-    const float less_im = factor * (re[1][i] * a + roll_im * b);
+    const float less_re = re[1][i] * p - roll_im * q;
+    const float less_im = re[1][i] * q + roll_im * p;
     const float s_re = answer.sway_re[i];
     const float s_im = answer.sway_im[i];
     const float y_re = answer.yaw_re[i];
@@ -75,9 +77,10 @@ void damp(const Answers<N>& answer, std::size_t n, double more,
 }  // namespace
 
 void damp_motions(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                  const Encounters& encounters, std::span<LateralMotions, kMoreLevels> out) {
+                  const Encounters& encounters, std::span<const RollAddition> additions,
+                  std::span<LateralMotions> out) {
+  QS_CHECK(additions.size() <= out.size());
   const RollUpdate& update = transfer.roll_update[speed];
-  QS_CHECK(update.levels.count == kRollDampingLevels);
   const MotionRow& row = transfer.row[speed][solved_m];
   const RollPeak& peak = transfer.peak[speed][solved_m];
   Answers<kMaxFrequencies> at_nodes;
@@ -88,12 +91,11 @@ void damp_motions(const TransferFunctions& transfer, std::size_t speed, std::siz
   for (std::size_t p = 0; p < peak.num_points; ++p) {
     at_points.set(update.table, p, encounters.at_points[p], 0.0);  // points keep off the floor
   }
-  for (std::size_t l = 0; l < kMoreLevels; ++l) {
-    const double more = update.levels.added[l + 1] - update.levels.added[0];
-    damp<kMaxFrequencies>(at_nodes, transfer.num_frequencies, more, {row.re[1], row.re[3], row.re[5]},
-                          {row.im[1], row.im[3], row.im[5]}, out[l].re, out[l].im);
-    damp<kMaxPeakPoints>(at_points, peak.num_points, more, {peak.re[0], peak.re[1], peak.re[2]},
-                         {peak.im[0], peak.im[1], peak.im[2]}, out[l].point_re, out[l].point_im);
+  for (std::size_t i = 0; i < additions.size(); ++i) {
+    damp<kMaxFrequencies>(at_nodes, transfer.num_frequencies, additions[i], {row.re[1], row.re[3], row.re[5]},
+                          {row.im[1], row.im[3], row.im[5]}, out[i].re, out[i].im);
+    damp<kMaxPeakPoints>(at_points, peak.num_points, additions[i], {peak.re[0], peak.re[1], peak.re[2]},
+                         {peak.im[0], peak.im[1], peak.im[2]}, out[i].point_re, out[i].point_im);
   }
 }
 

@@ -28,8 +28,9 @@ void list_values_at(const SweepSubject& subject, std::size_t m, const SweepWorks
     std::transform(wave->im.begin(), wave->im.end(), conjugate.im.begin(), [](auto value) { return -value; });
     wave = &conjugate;
   }
-  const LateralMotions* const damped =
-      subject.level > 0 ? &work.damped[solved_m][subject.level - 1] : nullptr;
+  const LateralMotions* const damped = subject.level >= work.first_damped
+                                           ? &work.damped[solved_m][subject.level - work.first_damped]
+                                           : nullptr;
   list_values(subject.transfer, subject.speed, m, *subject.channel, damped, work.encounters[solved_m], *wave,
               values);
 }

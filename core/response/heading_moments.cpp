@@ -24,6 +24,8 @@ struct Sweep {
   const Needs& needs;
   const SeaEnergy& sea;
   bool has_low;
+
+  [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
 };
 
 /// Everything that is wanted of one channel, at one level of roll damping.
@@ -50,44 +52,65 @@ void list_channel(const Sweep& sweep, std::size_t c, std::size_t level, bool wan
 
 /// At the damping of each heading; `part`: what of a channel's moments.
 template <typename Part>
-void blend_part(SweepWorkspace& work, const Part& part, ChannelMoments& out) {
+void blend_part(SweepWorkspace& work, std::size_t num_levels, const Part& part, ChannelMoments& out) {
   for (std::size_t h = 0; h < kNumDirections; ++h) {
     double sum = 0.0;
-    for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    for (std::size_t l = 0; l < num_levels; ++l) {
       sum += work.level_weight[l][h] * part(work.at_level[l])[h];
     }
     part(out)[h] = sum < 0.0 ? 0.0 : sum;  // a NaN stays one
   }
 }
 
-void blend(SweepWorkspace& work, std::size_t num_systems, bool has_second, ChannelMoments& out) {
+void blend(const Sweep& sweep, bool has_second, SweepWorkspace& work, ChannelMoments& out) {
+  const std::size_t num_levels = sweep.levels().count;
   blend_part(
-      work, [](ChannelMoments& of) -> ByHeading& { return of.m0; }, out);
+      work, num_levels, [](ChannelMoments& of) -> ByHeading& { return of.m0; }, out);
   blend_part(
-      work, [](ChannelMoments& of) -> ByHeading& { return of.m0_low_encounter; }, out);
+      work, num_levels, [](ChannelMoments& of) -> ByHeading& { return of.m0_low_encounter; }, out);
   if (has_second) {
     blend_part(
-        work, [](ChannelMoments& of) -> ByHeading& { return of.m2; }, out);
+        work, num_levels, [](ChannelMoments& of) -> ByHeading& { return of.m2; }, out);
   }
-  for (std::size_t s = 0; s < num_systems; ++s) {
+  for (std::size_t s = 0; s < sweep.sea.num_systems; ++s) {
     blend_part(
-        work, [s](ChannelMoments& of) -> ByHeading& { return of.m0_by_system[s]; }, out);
+        work, num_levels, [s](ChannelMoments& of) -> ByHeading& { return of.m0_by_system[s]; }, out);
   }
 }
 
 void list_at_levels(const Sweep& sweep, std::size_t c, bool wants_second, SweepWorkspace& work) {
-  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+  for (std::size_t l = 0; l < sweep.levels().count; ++l) {
     list_channel(sweep, c, l, wants_second, work, work.at_level[l]);
   }
 }
 
+/// Lateral motions at the levels that the transfer functions do not hold themselves.
+void list_damped(const Sweep& sweep, const RollShift& shift, SweepWorkspace& work) {
+  const RollDampingLevels& levels = sweep.levels();
+  std::array<RollAddition, kRollDampingLevels> addition{};
+  for (std::size_t l = 0; l < levels.count; ++l) {
+    addition[l].damping = levels.added[l] - levels.added[0];
+    addition[l].stiffness = shift.stiffness_part * sweep.transfer.roll_update[sweep.speed].table.stiffness;
+  }
+  if (levels.count == 1) {
+    addition[0].damping = (shift.damping_factor - 1.0) * levels.added[0];
+  }
+  work.first_damped = shift.is_none() ? 1 : 0;
+  const auto wanted = std::span(addition).first(levels.count).subspan(work.first_damped);
+  QS_CHECK(wanted.size() <= kMaxDampedLevels);
+  for (std::size_t m = 0; m <= kHalf; ++m) {
+    damp_motions(sweep.transfer, sweep.speed, m, work.encounters[m], wanted, work.damped[m]);
+  }
+}
+
 /// From the moments of roll at each level, in work.at_level.
-void linearise_headings(const Sweep& sweep, bool is_stabilised, SweepWorkspace& work, HeadingDamping& out) {
-  const RollDampers dampers{sweep.transfer.roll_damping, sweep.transfer.roll_update[sweep.speed].levels,
-                            sweep.transfer.speeds[sweep.speed], is_stabilised};
+void linearise_headings(const Sweep& sweep, const SweepOptions& options, SweepWorkspace& work,
+                        HeadingDamping& out) {
+  const RollDampers dampers{sweep.transfer.roll_damping, sweep.levels(), sweep.transfer.speeds[sweep.speed],
+                            options.is_stabilised, options.shift.damping_factor};
   for (std::size_t h = 0; h < kNumDirections; ++h) {
     RollVariances variances;
-    for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    for (std::size_t l = 0; l < dampers.levels.count; ++l) {
       variances.roll[l] = work.at_level[l].m0[h];
       variances.velocity[l] = work.at_level[l].m2[h];
     }
@@ -134,14 +157,12 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
   out.roll_damping.added.fill(levels.added[0]);
   out.roll_damping.residual.fill(0.0);
   const std::size_t roll = find_channel(watch, Quantity::kRoll, 0);
-  const bool has_levels = levels.count > 1 && roll < watch.channels.size();
+  const bool has_levels = (levels.count > 1 || !options.shift.is_none()) && roll < watch.channels.size();
   if (has_levels) {
-    for (std::size_t m = 0; m <= kHalf; ++m) {
-      damp_motions(transfer, speed, m, work.encounters[m], work.damped[m]);
-    }
+    list_damped(sweep, options.shift, work);
     list_at_levels(sweep, roll, true, work);
-    linearise_headings(sweep, options.is_stabilised, work, out.roll_damping);
-    blend(work, sea.num_systems, true, out.channel[roll]);
+    linearise_headings(sweep, options, work, out.roll_damping);
+    blend(sweep, true, work, out.channel[roll]);
   }
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
     if (needs[c] == Need::kNone || (has_levels && c == roll)) {
@@ -150,7 +171,7 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
     const bool wants_second = watch.channels[c].form.wave > 0.0;
     if (has_levels && feels_roll(watch.channels[c])) {
       list_at_levels(sweep, c, wants_second, work);
-      blend(work, sea.num_systems, wants_second, out.channel[c]);
+      blend(sweep, wants_second, work, out.channel[c]);
     } else {
       list_channel(sweep, c, 0, wants_second, work, out.channel[c]);
     }

@@ -73,9 +73,10 @@ struct SweepWorkspace {
   HalfCircle<kSystemWidth> part_even{};
   HalfCircle<kSystemWidth> part_odd{};
   std::array<ByHeading, kMaxWaveSystems> by_system{};
-  // Of a speed whose roll damping depends on roll: lateral motions at the dampings beyond the first, moments
-  // of a channel at each, and what each counts for on every heading.
-  std::array<std::array<LateralMotions, kRollDampingLevels - 1>, kNumSolvedDirections> damped{};
+  // Of a speed whose roll damping depends on roll: lateral motions at the dampings beyond the first (of a
+  // shifted ship: at all of them), moments of a channel at each, and what each counts for on every heading.
+  std::array<std::array<LateralMotions, kMaxDampedLevels>, kNumSolvedDirections> damped{};
+  std::size_t first_damped = 1;  // the level of damped[m][0]
   std::array<ChannelMoments, kRollDampingLevels> at_level{};
   std::array<ByHeading, kRollDampingLevels> level_weight{};
 };
@@ -87,6 +88,7 @@ void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const 
 struct SweepOptions {
   bool counts_wave_energy = false;  // low_encounter_energy too
   bool is_stabilised = false;       // stabilisers work
+  RollShift shift{};                // needs kEnsembleMembers > 0, unless it is none
 };
 
 /// Fills what is needed; the rest keeps what it was.

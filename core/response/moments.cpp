@@ -90,7 +90,12 @@ bool look_towards(const Course& course, std::size_t m, Direction& out) {
   list_peak_shapes(course.transfer.peak[course.speed][solved_direction(m)],
                    std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
   if (course.levels().count > 1) {
-    damp_motions(course.transfer, course.speed, solved_direction(m), out.encounters, out.damped);
+    const RollDampingLevels& levels = course.levels();
+    std::array<RollAddition, kRollDampingLevels - 1> addition{};
+    for (std::size_t l = 1; l < kRollDampingLevels; ++l) {
+      addition[l - 1].damping = levels.added[l] - levels.added[0];
+    }
+    damp_motions(course.transfer, course.speed, solved_direction(m), out.encounters, addition, out.damped);
   }
   return true;
 }

@@ -28,10 +28,10 @@ double called_for(const RollDampers& dampers, const RollVariances& at, double da
   const double velocity = blend(weight, at.velocity);
   const double more = dampers.is_stabilised ? dampers.levels.stabiliser : 0.0;
   if (!(roll > 0.0) || !(velocity > 0.0)) {
-    return more + small_roll_damping(dampers.model, dampers.speed);
+    return more + dampers.factor * small_roll_damping(dampers.model, dampers.speed);
   }
-  return more + added_roll_damping_gaussian(dampers.model, dampers.speed, std::sqrt(roll),
-                                            std::sqrt(velocity / roll));
+  return more + dampers.factor * added_roll_damping_gaussian(dampers.model, dampers.speed, std::sqrt(roll),
+                                                             std::sqrt(velocity / roll));
 }
 
 }  // namespace
@@ -61,6 +61,7 @@ LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& a
   LinearisedRoll out{.damping = levels.added[0], .residual = 0.0, .weight = {}};
   out.weight = level_weights(levels, out.damping);
   if (levels.count == 1) {
+    out.damping = dampers.factor * levels.added[0];
     return out;
   }
   const auto excess = [&](double log_damping) {

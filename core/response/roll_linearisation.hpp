@@ -37,6 +37,13 @@ struct LinearisedRoll {
   ByLevel weight{};       // of a variance at each level, their sum is one
 };
 
+/// How another ship of the same lines differs in roll: one whose GM or damping is not what it was taken for.
+struct RollShift {
+  double stiffness_part = 0.0;  // of c44, that there is more of it
+  double damping_factor = 1.0;  // on every damping beyond potential theory but the stabilisers'
+  [[nodiscard]] bool is_none() const { return stiffness_part == 0.0 && damping_factor == 1.0; }
+};
+
 /// Weights for an added damping >= 0.
 ByLevel level_weights(const RollDampingLevels& levels, double damping);
 
@@ -46,9 +53,10 @@ struct RollDampers {
   const RollDampingLevels& levels;
   double speed = 0.0;  // m/s
   bool is_stabilised = false;
+  double factor = 1.0;  // RollShift::damping_factor
 };
 
-/// With one level that level, no residual; without roll the first, and what stabilisers add.
+/// With one level that level times the factor, no residual; without roll the first, and what stabilisers add.
 LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at);
 
 }  // namespace quickstrip
