@@ -1,5 +1,6 @@
 #include "core/advisor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -124,6 +125,10 @@ const StepOutput& Advisor::step(const StepInputs& inputs) {
   }
   if (const NoAdvice refused = advise(inputs); refused != NoAdvice::kNone) {
     withhold(refused);
+    return output_;
+  }
+  if constexpr (kEnsembleMembers > 0) {
+    sweep_ensemble(inputs);
   }
   return output_;
 }
@@ -164,17 +169,16 @@ NoAdvice Advisor::take_loading(const StepInputs& inputs) {
   return state_ == State::kRebuildDue ? NoAdvice::kLoadingChanged : NoAdvice::kNone;
 }
 
-NoAdvice Advisor::place_sea(const StepInputs& inputs) {
+Status Advisor::place_sea(const SeaState* state, const DirectionalSpectrum* spectrum) {
   const auto omega = std::span(transfer_.omega).first(transfer_.num_frequencies);
-  Status status;
-  if (inputs.spectrum != nullptr) {
-    status = place_on_grid(*inputs.spectrum, omega, sea_);
-  } else if (inputs.sea_state != nullptr) {
-    status = place_on_grid(*inputs.sea_state, omega, sea_);
-  } else {
+  return spectrum != nullptr ? place_on_grid(*spectrum, omega, sea_) : place_on_grid(*state, omega, sea_);
+}
+
+NoAdvice Advisor::place_sea(const StepInputs& inputs) {
+  if (inputs.spectrum == nullptr && inputs.sea_state == nullptr) {
     return NoAdvice::kSeaMissing;
   }
-  has_sea_ = status.ok();
+  has_sea_ = place_sea(inputs.sea_state, inputs.spectrum).ok();
   return has_sea_ ? NoAdvice::kNone : NoAdvice::kSeaImplausible;
 }
 
@@ -255,6 +259,7 @@ Present Advisor::present_of(const OwnShip& ship) const {
 
 void Advisor::withhold(NoAdvice reason) {
   has_sea_ = false;
+  output_.ensemble.valid = 0;
   output_.advice = Advice{.no_advice = reason};
   output_.present = CellResponse{};
   output_.quality = 0;

@@ -19,6 +19,7 @@
 #include <variant>
 
 #include "core/advice/criteria.hpp"
+#include "core/advice/ensemble.hpp"
 #include "core/advice/grid.hpp"
 #include "core/advice/ranking.hpp"
 #include "core/advice/steadiness.hpp"
@@ -75,6 +76,9 @@ class Advisor {
   NoAdvice advise(const StepInputs& inputs);
   void advise_at(const Present& present, const GridInputs& inputs);
   [[nodiscard]] Present present_of(const OwnShip& ship) const;
+  Status place_sea(const SeaState* state, const DirectionalSpectrum* spectrum);
+  void sweep_ensemble(const StepInputs& inputs);
+  Status sweep_member(const StepInputs& inputs, std::size_t member);
   void withhold(NoAdvice reason);
   [[nodiscard]] GridInputs grid_inputs(std::uint32_t quality) const;
   [[nodiscard]] bool is_from_astern(std::uint8_t system, Heading heading) const;
@@ -96,6 +100,14 @@ class Advisor {
   // Of rebuilding and of a cycle, which are never at once: one memory for both.
   std::variant<TransferWorkspace, GridWorkspace> scratch_;
   StepOutput output_;
+  // The ensemble: the member to compute next, when each was, and the sea of the one in hand.
+  std::size_t next_member_ = 0;
+  std::array<double, kEnsembleMembers> member_time_{};
+  struct ShiftedSea {
+    SeaState state;
+    DirectionalSpectrum spectrum;
+  };
+  std::array<ShiftedSea, kEnsembleMembers == 0 ? 0 : 1> shifted_{};
 };
 
 static_assert(sizeof(Advisor) <= kMostAdvisorBytes, "the advisor's memory is a promise");

@@ -40,6 +40,19 @@ QuantityResponse quantity_response(const Channel& channel, double speed, const R
   return out;
 }
 
+double expected_largest(const QuantityResponse& response, double duration) {
+  constexpr double kHour = 3600.0;
+  if (response.per_hour >= 0.0) {
+    return response.per_hour * duration / kHour;
+  }
+  if (!(response.t2 > 0.0)) {
+    return 0.0;
+  }
+  const double m0 = response.rms * response.rms;
+  const double omega = kTwoPi / response.t2;
+  return most_probable_maximum(m0, m0 * omega * omega, duration);
+}
+
 Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out) {
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(inputs.watch.channels.size());

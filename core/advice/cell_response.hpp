@@ -48,6 +48,10 @@ struct CellResponse {
 /// Of a channel at the ship's speed [m/s].
 QuantityResponse quantity_response(const Channel& channel, double speed, const ResponseMoments& moments);
 
+/// What the next `duration` [s] is most likely to bring: the largest single amplitude of a motion or an
+/// acceleration [m, rad, m/s2] (short_term.hpp); of what is counted, how often. 0 where nothing moves.
+double expected_largest(const QuantityResponse& response, double duration);
+
 /// Any heading; speed within the solved speeds. Cost: that of response_moments.
 /// Errors: kSpeedOutOfGrid, kNotFinite, kTooMany.
 Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out);

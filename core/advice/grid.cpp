@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/advice/quality.hpp"
+#include "core/base/check.hpp"
 
 namespace quickstrip {
 namespace {
@@ -27,8 +28,17 @@ ResponseMoments moments_at(const ChannelMoments& all, std::size_t h, std::size_t
   return out;
 }
 
-/// One cell; h: its heading as a direction index.
-Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorkspace& workspace) {
+/// Of a member of an ensemble: what limits are on, and nothing that only tells why or is only shown.
+Needs needs_of_member(const GridInputs& inputs) {
+  Needs needs{};
+  for (std::size_t c = 0; c < inputs.watch.channels.size(); ++c) {
+    needs[c] = inputs.channels.is_watched[c] ? Need::kVariance : Need::kNone;
+  }
+  return needs;
+}
+
+/// Verdict on the motions of one cell; h: its heading as a direction index.
+Cell judge_motions(const GridInputs& inputs, std::size_t h, double speed, GridWorkspace& workspace) {
   const auto moments = std::span(workspace.cell).first(inputs.watch.channels.size());
   for (std::size_t c = 0; c < moments.size(); ++c) {
     if (workspace.needs[c] != Need::kNone) {
@@ -47,12 +57,32 @@ Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorks
   if (cell.governing != kNoCriterion) {
     cell.governing_system = largest_system(moments[inputs.channels.of_criterion[cell.governing]]);
   }
+  return cell;
+}
+
+Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorkspace& workspace) {
+  Cell cell = judge_motions(inputs, h, speed, workspace);
   const HeadingResistance& resistance = workspace.resistance;
   cell.added_resistance = static_cast<float>(resistance.strip[h]);
   if (resistance.has_empirical) {
     cell.added_resistance_empirical = static_cast<float>(resistance.empirical[h]);
   }
   return cell;
+}
+
+/// Moments on every heading, speed by speed; visit(v) after each.
+template <typename Visit>
+void for_each_speed(const GridInputs& inputs, const Needs& needs, GridWorkspace& workspace,
+                    const Visit& visit) {
+  workspace.needs = needs;
+  workspace.cell.fill(ResponseMoments{});
+  prepare_sweep(inputs.transfer, inputs.watch, workspace.needs, workspace.sweep);
+  const SweepOptions options{inputs.suppresses_low_encounter, inputs.is_stabilised, inputs.roll_shift};
+  for (std::size_t v = 0; v < inputs.transfer.num_speeds; ++v) {
+    list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea, options,
+                         workspace.sweep, workspace.moments);
+    visit(v);
+  }
 }
 
 bool is_empty(const SeaEnergy& sea) {
@@ -117,22 +147,36 @@ Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out)
   if (const Status status = check_inputs(inputs); !status) {
     return status;
   }
-  workspace.needs = needs_of(inputs);
-  workspace.cell.fill(ResponseMoments{});
-  prepare_sweep(inputs.transfer, inputs.watch, workspace.needs, workspace.sweep);
   out.num_speeds = inputs.transfer.num_speeds;
   out.num_headings = inputs.num_headings;
   out.speeds = inputs.transfer.speeds;
   const std::size_t directions_per_heading = kNumDirections / inputs.num_headings;
-  for (std::size_t v = 0; v < out.num_speeds; ++v) {
-    list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea,
-                         {inputs.suppresses_low_encounter, inputs.is_stabilised}, workspace.sweep,
-                         workspace.moments);
+  for_each_speed(inputs, needs_of(inputs), workspace, [&](std::size_t v) {
     list_mean_added_resistance(inputs.transfer, v, inputs.sea, workspace.sweep, workspace.resistance);
     for (std::size_t h = 0; h < out.num_headings; ++h) {
       out.cells[v][h] = judge_cell(inputs, h * directions_per_heading, out.speeds[v], workspace);
     }
+  });
+  return {};
+}
+
+Status sweep_member(const GridInputs& inputs, std::size_t member, GridWorkspace& workspace,
+                    ExceededMembers& out) {
+  QS_CHECK(member < kEnsembleMembers);
+  if (const Status status = check_inputs(inputs); !status) {
+    return status;
   }
+  const auto bit = static_cast<std::uint16_t>(1U << member);
+  const std::size_t directions_per_heading = kNumDirections / inputs.num_headings;
+  for_each_speed(inputs, needs_of_member(inputs), workspace, [&](std::size_t v) {
+    const double speed = inputs.transfer.speeds[v];
+    for (std::size_t h = 0; h < inputs.num_headings; ++h) {
+      const Cell cell = judge_motions(inputs, h * directions_per_heading, speed, workspace);
+      const bool is_exceeded = cell.governing != kNoCriterion && cell.margin < 1.0F;
+      const auto others = static_cast<std::uint16_t>(out[v][h] & ~bit);
+      out[v][h] = is_exceeded ? static_cast<std::uint16_t>(others | bit) : others;
+    }
+  });
   return {};
 }
 

@@ -14,6 +14,7 @@
 
 #include "core/advice/advice.hpp"
 #include "core/advice/criteria.hpp"
+#include "core/advice/ensemble.hpp"
 #include "core/advice/verdict.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
@@ -38,6 +39,7 @@ struct GridInputs {
   std::uint32_t quality = 0;                // bits of the hull and its loading
   bool is_stabilised = false;               // stabilisers work
   bool suppresses_low_encounter = false;    // LowEncounterRule::kPaper: loads forced to zero there
+  RollShift roll_shift{};                   // of a member of an ensemble
   bool wants_all_bandwidths = false;        // of every quantity in a response, not of the watched ones alone
 };
 
@@ -53,6 +55,11 @@ struct GridWorkspace {
 /// Speeds of the grid are those of the transfer functions. Errors: kEmptySpectrum (no energy anywhere),
 /// kOutOfRange (num_headings), kTooMany (sea and transfer functions have different frequencies).
 Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out);
+
+/// The same of one member of an ensemble, `inputs.roll_shift` and `inputs.sea` being its own: sets or clears
+/// its bit in each cell, by whether a limit on a motion is exceeded there. Not where kEnsembleMembers is 0.
+Status sweep_member(const GridInputs& inputs, std::size_t member, GridWorkspace& workspace,
+                    ExceededMembers& out);
 
 /// The part of the cells at steerage speed and above whose verdict is unknown; -1 when there is none.
 double unknown_share(const Grid& grid);

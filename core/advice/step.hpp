@@ -8,8 +8,10 @@
 
 #include "core/advice/advice.hpp"
 #include "core/advice/cell_response.hpp"
+#include "core/advice/ensemble.hpp"
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
+#include "core/base/static_vector.hpp"
 #include "core/hull/hull.hpp"
 #include "core/sea/sea_state.hpp"
 
@@ -23,6 +25,19 @@ struct OwnShip {
   bool is_stabilised = false;           // own ship says that her stabilisers work
 };
 
+/// What an accelerometer felt, without static g; x from the aft perpendicular, y to port, z above the base
+/// line [m]; RMS along the ship's axes [m/s2].
+struct MeasuredAcceleration {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  std::optional<double> rms_x{};
+  std::optional<double> rms_y{};
+  std::optional<double> rms_z{};
+};
+
+inline constexpr std::size_t kMaxAccelerometers = 4;  // as motion_t
+
 /// What was measured over a window that ended lately; RMS about the mean, zero-crossing periods.
 struct MeasuredMotion {
   double window = 0.0;                   // s
@@ -33,6 +48,7 @@ struct MeasuredMotion {
   std::optional<double> pitch_period{};  // s
   std::optional<double> heave_rms{};     // m
   std::optional<double> heave_period{};  // s
+  StaticVector<MeasuredAcceleration, kMaxAccelerometers> accelerations;
 };
 
 /// Core has no clock: age is the session's to judge, and `no_advice` its way to say that an input is missing
@@ -46,6 +62,9 @@ struct StepInputs {
   int sea_source = 0;                      // kind of source that the sea state comes from: any number each
   double time = 0.0;                       // of this cycle, from any fixed moment [s]: only differences count
   const MeasuredMotion* motion = nullptr;  // null: nothing measured, or too long ago
+  // Members of the ensemble to compute in this step, 0 ... kEnsembleMembers, and what they are drawn from.
+  std::size_t ensemble_members = 0;
+  Uncertainty uncertainty{};
 };
 
 /// advice.no_advice says whether the rest is valid. Without advice all cells are unknown, but for
@@ -58,6 +77,7 @@ struct StepOutput {
   double hs = 0.0;              // of the sea that was used [m]
   double lost_tail = 0.0;       // fraction of its m0 outside the frequencies
   double unknown_share = -1.0;  // of the cells at steerage speed and above, 0 ... 1; -1: no grid
+  Ensemble ensemble;
   std::size_t num_systems = 0;
   std::array<WaveSystem, kMaxWaveSystems> systems{};
 };

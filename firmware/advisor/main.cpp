@@ -28,6 +28,7 @@ struct Options {
   std::string prefix = "QS_";
   std::string clock = "system";
   std::string state;
+  int ensemble_per_cycle = -1;  // not given
   SessionOptions session;
   MethodOptions method;
 };
@@ -43,6 +44,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--state", options.state, "File that keeps the last inputs over a restart");
   add_number(app, "--cycle-s", options.session.cycle_period_s, {0.01, 86400.0}, "Cycle period")
       ->default_str("1");
+  app.add_option("--ensemble-per-cycle", options.ensemble_per_cycle,
+                 "Members of the ensemble computed each cycle, 0 ... 16; default 4, by log time all")
+      ->check(CLI::Range(0, static_cast<int>(kEnsembleMembers)));
   StaleAfter& stale = options.session.stale_after;
   constexpr ListRange kStaleAfter_s{0.001, 1e8};
   add_number(app, "--own-ship-stale-after-s", stale.own_ship_s, kStaleAfter_s,
@@ -66,6 +70,10 @@ std::int64_t wall_utime() {
 void run(Options& options) {
   options.session.log_clock = options.clock == "log";
   options.session.method = options.method.method();
+  constexpr std::size_t kMembersEachSecond = 4;  // all of them within four cycles, each within its life
+  const std::size_t by_clock = options.session.log_clock ? kEnsembleMembers : kMembersEachSecond;
+  options.session.ensemble_per_cycle =
+      options.ensemble_per_cycle < 0 ? by_clock : static_cast<std::size_t>(options.ensemble_per_cycle);
   const auto files = std::make_unique<ShipFiles>();
   require(read_ship_files(options.hull, options.limits, *files));
   options.session.profile = files->profile;

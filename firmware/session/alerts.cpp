@@ -11,6 +11,8 @@ namespace quickstrip {
 namespace {
 
 constexpr double kRepeat_s = 10.0;  // CHANNELS.md: an active alert is repeated
+constexpr double kHour_s = 3600.0;
+constexpr double kLateFor_s = 60.0;  // after the last cycle that took too long
 
 std::size_t index(AlertId id) {
   return static_cast<std::size_t>(id) - 1;
@@ -28,9 +30,13 @@ void Alerts::configure(std::int16_t source_id, double grace_s) {
   }
   put_text("Seakeeping limit", alerts_[index(AlertId::kLimit)].title);
   put_text("No seakeeping advice", alerts_[index(AlertId::kNoAdvice)].title);
+  put_text("Motions not as predicted", alerts_[index(AlertId::kMotionGap)].title);
+  put_text("Seakeeping advice is late", alerts_[index(AlertId::kLate)].title);
   sent_utime_.fill(0);
   sent_revision_.fill(0);
   first_utime_ = 0;
+  num_misses_ = 0;
+  last_miss_utime_ = 0;
   grace_s_ = grace_s;
   seq_ = 0;
 }
@@ -41,18 +47,18 @@ void Alerts::change(alert_t& alert, std::int8_t state, std::int64_t now) {
   ++alert.revision;
 }
 
-void Alerts::raise(alert_t& alert, std::int8_t priority, const advice_t& advice) {
+void Alerts::raise(alert_t& alert, std::int8_t priority, std::int64_t now) {
   const bool is_over = alert.state == alert_t::STATE_NORMAL || alert.state == alert_t::STATE_RECTIFIED;
   const bool is_worse = priority < alert.priority;  // the smaller number is the more urgent
   const bool is_other = priority != alert.priority;
   alert.priority = priority;
   if (is_over) {
-    alert.raised_utime = advice.utime;
+    alert.raised_utime = now;
   }
   if (is_over || is_worse) {
-    change(alert, alert_t::STATE_ACTIVE, advice.utime);
+    change(alert, alert_t::STATE_ACTIVE, now);
   } else if (is_other) {
-    change(alert, alert.state, advice.utime);
+    change(alert, alert.state, now);
   }
 }
 
@@ -76,7 +82,7 @@ void Alerts::follow(const advice_t& advice) {
     const bool is_starting = !is_due_again(first_utime_, advice.utime, grace_s_);
     if (!is_starting) {
       put_text(get_text(advice.no_advice_text), none.text);
-      raise(none, alert_t::PRIORITY_WARNING, advice);
+      raise(none, alert_t::PRIORITY_WARNING, advice.utime);
     }
     return;  // the alert on the limit stays as it is: nothing is known
   }
@@ -90,7 +96,36 @@ void Alerts::follow(const advice_t& advice) {
   limit.limit = advice.governing < 0 ? 0.0 : advice.governing_limit;
   put_text(get_text(advice.reasons_text), limit.text);
   const bool is_exceeded = advice.verdict == advice_t::VERDICT_EXCEEDED;
-  raise(limit, is_exceeded ? alert_t::PRIORITY_WARNING : alert_t::PRIORITY_CAUTION, advice);
+  raise(limit, is_exceeded ? alert_t::PRIORITY_WARNING : alert_t::PRIORITY_CAUTION, advice.utime);
+}
+
+void Alerts::follow(const comparison_t& comparison, std::int64_t now) {
+  alert_t& gap = alerts_[index(AlertId::kMotionGap)];
+  if (comparison.confidence != comparison_t::CONFIDENCE_LOWERED) {
+    clear(gap, now);
+    return;
+  }
+  int worst = 0;
+  for (int i = 1; i < comparison.num_lines; ++i) {
+    worst = comparison.gap_since_s[i] > comparison.gap_since_s[worst] ? i : worst;
+  }
+  Sentence text;
+  text.add("For {:.0f} h {}. Less confidence in this advice", comparison.gap_since_s[worst] / kHour_s,
+           get_text(comparison.text[worst]));
+  put_text(text.view(), gap.text);
+  raise(gap, alert_t::PRIORITY_CAUTION, now);
+}
+
+void Alerts::follow_misses(std::int64_t num_deadline_misses, std::int64_t now) {
+  alert_t& late = alerts_[index(AlertId::kLate)];
+  if (num_deadline_misses > num_misses_) {
+    last_miss_utime_ = now;
+    put_text("Cycles take longer than their period: advice comes late", late.text);
+    raise(late, alert_t::PRIORITY_CAUTION, now);
+  } else if (is_due_again(last_miss_utime_, now, kLateFor_s)) {
+    clear(late, now);
+  }
+  num_misses_ = num_deadline_misses;
 }
 
 Conversion Alerts::accept(const alert_t& acknowledgement, std::int64_t now) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "msgs/convert/motion_message.hpp"
 #include "msgs/convert/sea_message.hpp"
 #include "msgs/convert/units.hpp"
 
@@ -39,6 +40,7 @@ void Inputs::configure(const Hull& hull, const StaleAfter& stale_after) {
   own_ship_.forget();
   loading_.forget();
   loading_.hold_default(hull.loading);
+  motion_.forget();
   other_counters_.fill(InputCounters{});
 }
 
@@ -66,6 +68,24 @@ Conversion Inputs::accept(const loading_t& message, std::int64_t now, InputUse u
   return loading_.accept(
       message, now, use, stale_after_.future_tolerance_s,
       [this](const loading_t& from, Loading& out) { return to_loading(from, *hull_, out); });
+}
+
+Conversion Inputs::accept(const motion_t& message, std::int64_t now) {
+  return motion_.accept(
+      message, now, InputUse::kLive, stale_after_.future_tolerance_s,
+      [](const motion_t& from, MeasuredMotion& out) { return to_measured_motion(from, out); });
+}
+
+const MeasuredMotion* Inputs::motion(std::int64_t now) const {
+  const Fitness fitness = motion_.fitness(now, stale_after_.motion_s, stale_after_.future_tolerance_s, {});
+  return fitness.ok() ? &motion_.value() : nullptr;
+}
+
+StatedUncertainty Inputs::uncertainty(Input sea_in_force, double gm) const {
+  StatedUncertainty out = sea_in_force == Input::kSeaState ? uncertainty_of(sea_state_.message())
+                                                           : uncertainty_of(wave_spectrum_.message());
+  add_ship_uncertainty(loading_.value(), gm, out);
+  return out;
 }
 
 Fitness Inputs::sea(std::int64_t now, Input& in_force) const {
@@ -106,6 +126,8 @@ UsedInput Inputs::used(Input input) const {
       return own_ship_.used();
     case Input::kLoading:
       return loading_.used();
+    case Input::kMotion:
+      return motion_.used();
     default:
       return {};
   }
@@ -126,6 +148,8 @@ double Inputs::stale_after_s(Input input) const {
       return stale_after_.own_ship_s;
     case Input::kLoading:
       return stale_after_.loading_s;
+    case Input::kMotion:
+      return stale_after_.motion_s;
     default:
       return -1.0;
   }
@@ -141,6 +165,8 @@ const InputCounters& Inputs::counters(Input input) const {
       return own_ship_.counters();
     case Input::kLoading:
       return loading_.counters();
+    case Input::kMotion:
+      return motion_.counters();
     default:
       return other_counters_[static_cast<std::size_t>(input)];
   }

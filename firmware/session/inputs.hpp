@@ -11,7 +11,9 @@
 #include "core/sea/sea_state.hpp"
 #include "firmware/session/held_input.hpp"
 #include "msgs/convert/ship_message.hpp"
+#include "msgs/convert/uncertainty.hpp"
 #include "quickstrip/loading_t.hpp"
+#include "quickstrip/motion_t.hpp"
 #include "quickstrip/own_ship_t.hpp"
 #include "quickstrip/sea_state_t.hpp"
 #include "quickstrip/wave_spectrum_t.hpp"
@@ -38,6 +40,7 @@ struct StaleAfter {
   double own_ship_s = 10.0;
   double sea_s = 90.0 * 60.0;
   double loading_s = 24.0 * 3600.0;
+  double motion_s = 15.0 * 60.0;  // after the end of its window; only what measured motion confirms
   double future_tolerance_s = 5.0;
 };
 
@@ -70,6 +73,7 @@ class Inputs {
   Conversion accept(const wave_spectrum_t& message, std::int64_t now, InputUse use = InputUse::kLive);
   Conversion accept(const own_ship_t& message, std::int64_t now, InputUse use = InputUse::kLive);
   Conversion accept(const loading_t& message, std::int64_t now, InputUse use = InputUse::kLive);
+  Conversion accept(const motion_t& message, std::int64_t now);
 
   /// Which sea is in force at `now`: the newer usable one of kSeaState and kWaveSpectrum, the spectrum if
   /// both are of one time. Without a usable one the fitness says why.
@@ -81,6 +85,11 @@ class Inputs {
   [[nodiscard]] const DirectionalSpectrum& wave_spectrum() const { return wave_spectrum_.value(); }
   [[nodiscard]] const OwnShipReading& ship() const { return own_ship_.value(); }
   [[nodiscard]] const Loading& present_loading() const { return loading_.value(); }
+  /// What was measured lately; null when that is nothing, or too long ago.
+  [[nodiscard]] const MeasuredMotion* motion(std::int64_t now) const;
+  [[nodiscard]] const motion_t& motion_message() const { return motion_.message(); }
+  /// Of the sea in force and the loading; gm [m].
+  [[nodiscard]] StatedUncertainty uncertainty(Input sea_in_force, double gm) const;
 
   [[nodiscard]] UsedInput used(Input input) const;
   [[nodiscard]] double age_s(Input input, std::int64_t now) const;  // -1: never received
@@ -96,6 +105,7 @@ class Inputs {
   HeldInput<wave_spectrum_t, DirectionalSpectrum> wave_spectrum_;
   HeldInput<own_ship_t, OwnShipReading> own_ship_;
   HeldInput<loading_t, Loading> loading_;
+  HeldInput<motion_t, MeasuredMotion> motion_;
   std::array<InputCounters, kNumInputs> other_counters_{};  // of the kinds that are not held
 };
 

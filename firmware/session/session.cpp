@@ -20,6 +20,10 @@ Status Session::configure(const Hull& hull, const Criteria& criteria, const Sess
   // Inputs need a while to come in after a start: no alert on their absence before they would be stale.
   alerts_.configure(options.source_id, options.stale_after.own_ship_s);
   queries_.clear();
+  predicted_.forget();
+  comparison_ = Comparison{};
+  is_comparison_due_ = false;
+  uncertainty_ = StatedUncertainty{};
   output_ = nullptr;
   hull_digest_ = hull_digest(hull, hull.loading);
   table_checksum_ = static_cast<std::int64_t>(section_table_checksum());
@@ -80,7 +84,10 @@ Conversion Session::count_measured(Input input, const Conversion& conversion, st
 }
 
 Conversion Session::accept(const motion_t& message, std::int64_t now) {
-  return count_measured(Input::kMotion, check_motion(message), message.utime, now);
+  const std::int64_t former = inputs_.motion_message().utime;
+  const Conversion conversion = inputs_.accept(message, now);
+  is_comparison_due_ = is_comparison_due_ || (conversion.ok() && inputs_.motion_message().utime != former);
+  return conversion;
 }
 
 Conversion Session::accept(const sea_forecast_t& message, std::int64_t now) {
@@ -118,8 +125,13 @@ const StepOutput& Session::step(std::int64_t now, const Fitness& fitness, Input 
   step_inputs.loading = &inputs_.present_loading();
   step_inputs.no_advice = fitness.reason;
   step_inputs.sea_source = inputs_.sea_state().source_kind;
-  constexpr double kMicrosecond_s = 1.0e-6;
-  step_inputs.time = kMicrosecond_s * static_cast<double>(now);
+  step_inputs.time = seconds_between(0, now);
+  step_inputs.motion = inputs_.motion(now);
+  step_inputs.ensemble_members = options_.ensemble_per_cycle;
+  if (fitness.ok()) {
+    uncertainty_ = inputs_.uncertainty(sea_in_force, advisor_.loaded_hull().hydrostatics.gm);
+    step_inputs.uncertainty = uncertainty_.of;
+  }
   return advisor_.step(step_inputs);
 }
 
@@ -134,7 +146,9 @@ void Session::cycle(std::int64_t now, Outbox& outbox) {
   to_message(output_->grid, limits_.digest, grid_);
   stamp(grid_, now);
   send(OutChannel::kGrid, grid_, outbox);
+  send_outlook(now, outbox);
   send_responses(now, outbox);
+  send_comparison(now, outbox);
   send_alerts(now, outbox);
   send_health(now, outbox);
 }

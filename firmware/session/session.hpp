@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/advice/comparison.hpp"
 #include "core/advice/step.hpp"
 #include "core/advisor.hpp"
 #include "core/base/name.hpp"
@@ -28,10 +29,12 @@
 #include "msgs/convert/response_message.hpp"
 #include "quickstrip/advice_t.hpp"
 #include "quickstrip/clock_t.hpp"
+#include "quickstrip/comparison_t.hpp"
 #include "quickstrip/grid_t.hpp"
 #include "quickstrip/health_t.hpp"
 #include "quickstrip/limits_t.hpp"
 #include "quickstrip/motion_t.hpp"
+#include "quickstrip/outlook_t.hpp"
 #include "quickstrip/query_t.hpp"
 #include "quickstrip/response_t.hpp"
 #include "quickstrip/sea_forecast_t.hpp"
@@ -42,6 +45,7 @@ struct SessionOptions {
   StaleAfter stale_after;
   StripMethod method;
   double cycle_period_s = 1.0;
+  std::size_t ensemble_per_cycle = 0;  // members computed each cycle, 0 ... kEnsembleMembers
   std::int16_t source_id = 1;
   bool log_clock = false;  // said in health
   Name profile;            // of the criteria
@@ -75,8 +79,9 @@ class Session {
   /// Answered in the next cycle.
   Conversion accept(const query_t& message, std::int64_t now);
   Conversion accept(const alert_t& acknowledgement, std::int64_t now);
-  /// Checked and counted; not used yet.
+  /// Compared with what was predicted, in the next cycle.
   Conversion accept(const motion_t& message, std::int64_t now);
+  /// Checked and counted; not used yet.
   Conversion accept(const sea_forecast_t& message, std::int64_t now);
   /// The caller's clock with log time: a cycle may run at its utime only if this is ok.
   Conversion accept(const clock_t& message);
@@ -110,6 +115,8 @@ class Session {
   void send_limits(std::int64_t now, Outbox& outbox);
   void send_responses(std::int64_t now, Outbox& outbox);
   void answer(const Query& query, std::int64_t now, Outbox& outbox);
+  void send_outlook(std::int64_t now, Outbox& outbox);
+  void send_comparison(std::int64_t now, Outbox& outbox);
   void send_alerts(std::int64_t now, Outbox& outbox);
   void send_health(std::int64_t now, Outbox& outbox);
   template <typename Message>
@@ -125,6 +132,10 @@ class Session {
   Alerts alerts_;
   StaticVector<Query, 8> queries_;
   CellResponse asked_;
+  StatedUncertainty uncertainty_;  // of the last cycle
+  PredictedMotion predicted_;
+  Comparison comparison_;
+  bool is_comparison_due_ = false;
   const StepOutput* output_ = nullptr;  // the advisor's
   std::int64_t hull_digest_ = 0;
   std::int64_t table_checksum_ = 0;
@@ -134,6 +145,8 @@ class Session {
   response_t response_{};
   limits_t limits_{};
   health_t health_{};
+  outlook_t outlook_{};
+  comparison_t comparison_message_{};
   std::array<std::uint8_t, kMaxMessageBytes> bytes_{};
 
   std::int32_t cycle_ = 0;

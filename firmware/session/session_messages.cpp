@@ -4,8 +4,10 @@
 #include "firmware/session/repeat.hpp"
 #include "firmware/session/session.hpp"
 #include "msgs/convert/advice_message.hpp"
+#include "msgs/convert/comparison_message.hpp"
 #include "msgs/convert/digest.hpp"
 #include "msgs/convert/grid_message.hpp"
+#include "msgs/convert/outlook_message.hpp"
 #include "msgs/convert/response_message.hpp"
 #include "msgs/convert/text.hpp"
 #include "msgs/convert/units.hpp"
@@ -48,6 +50,9 @@ void Session::fill_advice(std::int64_t now, const StepOutput& output, const Fitn
   context.profile_name = options_.profile.view();
   for (const Input input : {sea_in_force, Input::kOwnShip, Input::kLoading}) {
     context.inputs[static_cast<std::size_t>(input)] = inputs_.used(input);
+  }
+  if (inputs_.motion(now) != nullptr) {
+    context.inputs[static_cast<std::size_t>(Input::kMotion)] = inputs_.used(Input::kMotion);
   }
   context.sea_assumptions = sea_in_force == Input::kSeaState ? inputs_.sea_state().assumed : 0;
   Advice advice = output.advice;
@@ -103,8 +108,38 @@ void Session::answer(const Query& query, std::int64_t now, Outbox& outbox) {
   send(OutChannel::kResponse, response_, outbox);
 }
 
+void Session::send_outlook(std::int64_t now, Outbox& outbox) {
+  to_message(*output_, criteria_, uncertainty_.assumed, outlook_);
+  stamp(outlook_, now);
+  outlook_.limits_digest = limits_.digest;
+  send(OutChannel::kOutlook, outlook_, outbox);
+}
+
+void Session::send_comparison(std::int64_t now, Outbox& outbox) {
+  if (output_->advice.no_advice == NoAdvice::kNone) {
+    predicted_.note(seconds_between(0, now), output_->present);
+  }
+  if (!is_comparison_due_ || inputs_.motion(now) == nullptr) {
+    return;
+  }
+  is_comparison_due_ = false;
+  const motion_t& motion = inputs_.motion_message();
+  const auto systems = std::span(output_->systems).first(output_->num_systems);
+  predicted_.compare(*inputs_.motion(now), *hull_, seconds_between(0, motion.utime),
+                     height_deviation(uncertainty_.of, systems), comparison_);
+  to_message(comparison_, *hull_, motion.window_s, comparison_message_);
+  comparison_message_.utime = motion.utime;
+  ++comparison_message_.seq;
+  comparison_message_.source_id = options_.source_id;
+  comparison_message_.motion_source_id = motion.source_id;
+  comparison_message_.motion_seq = motion.seq;
+  send(OutChannel::kComparison, comparison_message_, outbox);
+  alerts_.follow(comparison_message_, now);
+}
+
 void Session::send_alerts(std::int64_t now, Outbox& outbox) {
   alerts_.follow(advice_);
+  alerts_.follow_misses(figures_.num_deadline_misses, now);
   for (std::size_t i = 0; i < Alerts::kNumAlerts; ++i) {
     const alert_t* const alert = alerts_.next_to_send(now);
     if (alert == nullptr) {
