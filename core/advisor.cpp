@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "core/advice/next_criterion.hpp"
 #include "core/advice/quality.hpp"
 
 namespace quickstrip {
@@ -209,12 +208,12 @@ NoAdvice Advisor::advise(const StepInputs& step) {
   if (!status) {
     return NoAdvice::kInternal;
   }
-  advise_at(present_of(ship), inputs);
+  advise_at(present_of(ship));
   return NoAdvice::kNone;
 }
 
-/// The steady verdict, the changes, and what comes next after each.
-void Advisor::advise_at(const Present& present, const GridInputs& inputs) {
+/// The steady verdict and the changes.
+void Advisor::advise_at(const Present& present) {
   Cell& cell = output_.present.cell;
   const Verdict now = cell.verdict;
   const Steadiness::Shown shown = steadiness_.present(criteria_, output_.grid, present, cell);
@@ -224,16 +223,6 @@ void Advisor::advise_at(const Present& present, const GridInputs& inputs) {
   steadiness_.follow(advice);
   advice.verdict_now = now;
   advice.better_in = shown.better_in;
-  if (const auto next = next_criterion(inputs, present.heading, present.speed, cell.governing)) {
-    advice.next = next->criterion;
-    advice.next_margin = next->margin;
-  }
-  for (Change& change : advice.changes) {
-    if (const auto next = next_criterion(inputs, {change.heading}, change.speed, change.governing)) {
-      change.next = next->criterion;
-      change.next_margin = next->margin;
-    }
-  }
 }
 
 Present Advisor::present_of(const OwnShip& ship) const {

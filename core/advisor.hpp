@@ -74,7 +74,7 @@ class Advisor {
   NoAdvice take_inputs(const StepInputs& inputs);
   NoAdvice place_sea(const StepInputs& inputs);
   NoAdvice advise(const StepInputs& inputs);
-  void advise_at(const Present& present, const GridInputs& inputs);
+  void advise_at(const Present& present);
   [[nodiscard]] Present present_of(const OwnShip& ship) const;
   Status place_sea(const SeaState* state, const DirectionalSpectrum* spectrum);
   void sweep_ensemble(const StepInputs& inputs);

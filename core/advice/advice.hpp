@@ -52,7 +52,9 @@ struct Cell {
   Verdict verdict = Verdict::kUnknown;
   std::uint8_t governing = kNoCriterion;      // index into Criteria
   std::uint8_t governing_system = kNoSystem;  // wave system that contributes most of the governing variance
+  std::uint8_t next = kNoCriterion;           // the criterion nearest to its limit after the governing one
   std::uint16_t hazards = 0;                  // HazardBit
+  std::uint16_t next_margin_steps = 0;        // its margin in steps of kNextMarginStep, rounded down
   std::uint32_t quality = 0;
   float margin = 0.0F;
   std::array<float, kMaxCriteria> values{};
@@ -75,6 +77,14 @@ struct Cell {
 };
 
 inline constexpr float kMarginUnbounded = 99.0F;
+/// The next margin takes two bytes of a cell that were free.
+inline constexpr float kNextMarginStep = 0.002F;
+
+/// Factor on wave height until the next criterion's limit; kNotComputed: there is none.
+inline float next_margin(const Cell& cell) {
+  return cell.next == kNoCriterion ? kNotComputed
+                                   : kNextMarginStep * static_cast<float>(cell.next_margin_steps);
+}
 
 /// heading h: compass 2 pi h / num_headings; speed s: speeds[s]. 1,800 cells of about 190 bytes: static.
 struct Grid {

@@ -100,7 +100,9 @@ class Candidates {
                   .governing = cell.governing,
                   .margin = cell.margin,
                   .governing_system = cell.governing_system,
-                  .hazards = cell.hazards};
+                  .hazards = cell.hazards,
+                  .next = cell.next,
+                  .next_margin = next_margin(cell)};
     if (std::abs(change.heading_change) <= kNoTurn && std::abs(change.speed_change) <= kNoSpeedChange) {
       return;
     }

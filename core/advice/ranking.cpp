@@ -19,8 +19,6 @@ enum Sort : std::size_t { kSlower, kFaster, kStarboard, kPort, kCombined, kNumSo
 
 using Best = std::array<std::optional<Change>, kNumSorts>;
 
-constexpr double kStandingBadness = 1.1;  // beyond kLeastBadWithin, for a recommendation that stands
-
 Sort sort_of(const Change& change) {
   const bool turns = std::abs(change.heading_change) > kNoTurn;
   const bool changes_speed = std::abs(change.speed_change) > kNoSpeedChange;
@@ -103,7 +101,7 @@ class Ranking {
   [[nodiscard]] std::optional<Change> standing(const Standing& standing, const Change& smallest) const {
     std::optional<Change> found;
     candidates_.for_each([&](const Change& candidate, const Cell& cell) {
-      if (!found && is_same(candidate, standing) && meets(cell, kStandingBadness)) {
+      if (!found && is_same(candidate, standing) && still_does(cell, smallest)) {
         found = candidate;
         candidates_.count_turn(*found, standing.side);
       }
@@ -115,8 +113,20 @@ class Ranking {
   }
 
  private:
-  /// `slack`: factor on what is bad enough where only the least bad is aimed at.
-  [[nodiscard]] bool meets(const Cell& cell, double slack = 1.0) const {
+  /// Of the cell that a standing recommendation goes to: better than the present one, and not much worse than
+  /// where the smallest change leads.
+  [[nodiscard]] bool still_does(const Cell& cell, const Change& smallest) const {
+    if (meets(cell)) {
+      return true;
+    }
+    const bool is_better = severity(cell.verdict) < severity(present_cell_.verdict) ||
+                           badness(cell) * kStandingGain <= badness(present_cell_);
+    const bool is_good_enough = cell.verdict == Verdict::kCaution || aim_ == Aim::kLeastBad;
+    return candidates_.may_be_recommended(cell) && is_better && is_good_enough &&
+           badness(cell) <= kStandingWithin * badness(smallest);
+  }
+
+  [[nodiscard]] bool meets(const Cell& cell) const {
     if (!candidates_.may_be_recommended(cell)) {
       return false;
     }
@@ -127,7 +137,7 @@ class Ranking {
         return cell.verdict == Verdict::kCaution;
       case Aim::kLeastBad:
         return cell.verdict == Verdict::kExceeded && badness(cell) < badness(present_cell_) &&
-               badness(cell) <= kLeastBadWithin * slack * least_badness_;
+               badness(cell) <= kLeastBadWithin * least_badness_;
       case Aim::kNothing:
         break;
     }
@@ -286,6 +296,8 @@ void rank_changes(const Grid& grid, const Present& present, const Cell& present_
                .speed = present.speed,
                .present = present_cell,
                .verdict_now = present_cell.verdict,
+               .next = present_cell.next,
+               .next_margin = next_margin(present_cell),
                .changes = {},
                .change_needed = present_cell.verdict != Verdict::kGood};
   if (!out.change_needed) {

@@ -12,8 +12,9 @@
 //   heave-to  for a ship that exceeds a limit when no cell is good, or the first costs more than six units
 //             (120 degrees): the lowest steerage speed of the grid, heading within 30 degrees of the most
 //             energetic sea, where that is best there; if it is better than the present state.
-// A recommendation that stands (steadiness.hpp) stays the first while it meets the aim and costs at most half
-// as much again and half a unit more than the smallest one.
+// A recommendation that stands (steadiness.hpp) stays the first while it costs at most half as much again and
+// half a unit more than the smallest one, and meets the aim or is at least inside the limits, clearly better
+// than the present state, and less than a quarter worse than where the smallest one leads.
 //
 // Cost: a few passes over the cells, and a walk of turn.hpp for those that are smaller than the smallest one
 // so far: tests/ranking prints it.
@@ -29,8 +30,10 @@ inline constexpr double kMuchMoreEffort = 2.0;   // factor that it may cost
 inline constexpr double kLeastBadWithin = 1.1;   // factor on the badness of the least bad cell
 inline constexpr double kLittleWorks = 6.0;      // effort above which heaving to is named
 inline constexpr double kHeaveToSector = radians(30.0);
-inline constexpr double kStandingFactor = 1.5;  // on the effort of the smallest change
-inline constexpr double kStandingSlack = 0.5;   // units of effort
+inline constexpr double kStandingFactor = 1.5;   // on the effort of the smallest change
+inline constexpr double kStandingSlack = 0.5;    // units of effort
+inline constexpr double kStandingWithin = 1.25;  // factor on the badness of where the smallest change leads
+inline constexpr double kStandingGain = 1.1;     // factor on the badness of the present state
 
 /// What a recommendation goes to, so that it is known again when the ship yaws and the sea shakes.
 struct Standing {
@@ -45,7 +48,7 @@ struct Standing {
 Standing standing_of(const Change& change);
 
 /// Fills heading, speed, present, changes with their turns, and the flags of `out`; clears its no_advice.
-/// The verdicts of the grid and of the present cell are taken as they are. Next criteria are not filled.
+/// The verdicts of the grid and of the present cell are taken as they are.
 void rank_changes(const Grid& grid, const Present& present, const Cell& present_cell, Advice& out,
                   const Standing& standing = {});
 

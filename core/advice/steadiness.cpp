@@ -40,20 +40,6 @@ double caution_margin(const Criterion& criterion) {
 
 }  // namespace
 
-int severity(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kGood:
-      return 0;
-    case Verdict::kCaution:
-      return 1;
-    case Verdict::kUnknown:
-      return 2;
-    case Verdict::kExceeded:
-      break;
-  }
-  return 3;
-}
-
 bool is_clearly_better(const Cell& cell, Verdict shown, const Criteria& criteria, double hysteresis) {
   if (cell.governing >= criteria.size()) {
     return true;

@@ -29,7 +29,7 @@
 namespace quickstrip {
 
 struct SteadinessOptions {
-  double dwell = 600.0;      // s that better lasts before it is shown; 0: nothing waits
+  double dwell = 1200.0;     // s that better lasts before it is shown; 0: nothing waits
   double hysteresis = 0.05;  // of wave height
 };
 
@@ -41,9 +41,6 @@ inline constexpr double kOtherSpeed = 1.5 * (1852.0 / 3600.0);
 /// A recommended course or speed is reached when the ship is this near.
 inline constexpr double kCourseReached = radians(2.5);
 inline constexpr double kSpeedReached = 0.5 * (1852.0 / 3600.0);
-
-/// 0 good ... 3 exceeded: unknown is worse than caution, for nothing is known to beat it.
-int severity(Verdict verdict);
 
 /// Whether `cell`, of a verdict better than `shown`, would be so in waves higher by `hysteresis` as far as
 /// its governing criterion tells.

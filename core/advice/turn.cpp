@@ -165,6 +165,19 @@ double most_probable_largest(const RollStays& stays) {
   return 0.5 * (low + high);
 }
 
+double how_bad(Verdict verdict, std::uint8_t governing, float margin, std::uint16_t hazards) {
+  const bool says_nothing = governing == kNoCriterion && verdict == Verdict::kUnknown;
+  const double by_margin =
+      says_nothing ? 1.0 : 1.0 / std::max(static_cast<double>(margin), 1.0 / kWorstBadness);
+  double least = 0.0;
+  if (verdict == Verdict::kUnknown) {
+    least = 1.0;
+  } else if (verdict == Verdict::kExceeded && (hazards & kSevereZoneBits) != 0) {
+    least = kSevereZoneBadness;
+  }
+  return std::max(by_margin, least);
+}
+
 bool is_worse(const Cell& cell, const Turn& than, double than_badness) {
   return !than.is_known || badness(cell) > than_badness;
 }
@@ -187,16 +200,25 @@ void note_worst(const Visit& at, Turn& out, double& out_badness) {
 }  // namespace
 
 double badness(const Cell& cell) {
-  const double by_margin = cell.governing == kNoCriterion && cell.verdict == Verdict::kUnknown
-                               ? 1.0
-                               : 1.0 / std::max(static_cast<double>(cell.margin), 1.0 / kWorstBadness);
-  double least = 0.0;
-  if (cell.verdict == Verdict::kUnknown) {
-    least = 1.0;
-  } else if (cell.verdict == Verdict::kExceeded && (cell.hazards & kSevereZoneBits) != 0) {
-    least = kSevereZoneBadness;
+  return how_bad(cell.verdict, cell.governing, cell.margin, cell.hazards);
+}
+
+double badness(const Change& change) {
+  return how_bad(change.verdict, change.governing, change.margin, change.hazards);
+}
+
+int severity(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kGood:
+      return 0;
+    case Verdict::kCaution:
+      return 1;
+    case Verdict::kUnknown:
+      return 2;
+    case Verdict::kExceeded:
+      break;
   }
-  return std::max(by_margin, least);
+  return 3;
 }
 
 double turn_exposure(const Grid& grid, const TurnStart& start, const Way& way, double reference) {

@@ -48,6 +48,10 @@ inline constexpr double kWorstBadness = 4.0;
 
 /// 1 / margin; of an unknown cell at least 1, as if at a limit; of one in a severe zone kSevereZoneBadness.
 double badness(const Cell& cell);
+double badness(const Change& change);
+
+/// 0 good ... 3 exceeded: unknown is worse than caution, for nothing is known to beat it.
+int severity(Verdict verdict);
 
 /// [s]; weighted by how much worse: a minute at twice the badness of max(1, reference) counts 60 max(1, ref).
 double turn_exposure(const Grid& grid, const TurnStart& start, const Way& way, double reference);

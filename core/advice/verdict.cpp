@@ -49,7 +49,34 @@ struct Tally {
   bool all_finite = true;
   bool governing_is_caution = false;
   double governing_margin = static_cast<double>(kMarginUnbounded);
+  bool next_is_caution = false;
+  double next_margin = static_cast<double>(kMarginUnbounded);
 };
+
+/// A criterion that gives cause for caution goes before one that does not, whatever their margins: the one
+/// that is named must be the one that decides. Whoever exceeds has the smallest margin anyway.
+bool goes_before(bool is_caution, double margin, bool other_is_caution, double other_margin) {
+  return is_caution != other_is_caution ? is_caution : margin < other_margin;
+}
+
+/// Keeps the first two in that order.
+void place_criterion(std::uint8_t index, bool is_caution, double margin, Tally& tally, Cell& cell) {
+  const bool governs = cell.governing == kNoCriterion ||
+                       goes_before(is_caution, margin, tally.governing_is_caution, tally.governing_margin);
+  if (governs) {
+    cell.next = cell.governing;
+    tally.next_is_caution = tally.governing_is_caution;
+    tally.next_margin = tally.governing_margin;
+    cell.governing = index;
+    tally.governing_is_caution = is_caution;
+    tally.governing_margin = margin;
+  } else if (cell.next == kNoCriterion ||
+             goes_before(is_caution, margin, tally.next_is_caution, tally.next_margin)) {
+    cell.next = index;
+    tally.next_is_caution = is_caution;
+    tally.next_margin = margin;
+  }
+}
 
 void judge_criterion(const Criterion& criterion, std::size_t index, const Channel& channel, double speed,
                      const ResponseMoments& moments, Tally& tally, Cell& cell) {
@@ -60,15 +87,7 @@ void judge_criterion(const Criterion& criterion, std::size_t index, const Channe
   tally.any_exceeded = tally.any_exceeded || value > criterion.limit;
   const bool is_caution = value > criterion.caution_fraction * criterion.limit;
   tally.any_caution = tally.any_caution || is_caution;
-  // A criterion that gives cause for caution goes before one that does not, whatever their margins: the one
-  // that is named must be the one that decides. Whoever exceeds has the smallest margin anyway.
-  const bool goes_before =
-      is_caution != tally.governing_is_caution ? is_caution : margin < tally.governing_margin;
-  if (cell.governing == kNoCriterion || goes_before) {
-    cell.governing = static_cast<std::uint8_t>(index);
-    tally.governing_is_caution = is_caution;
-    tally.governing_margin = margin;
-  }
+  place_criterion(static_cast<std::uint8_t>(index), is_caution, margin, tally, cell);
   const double share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0;
   cell.low_encounter_share = std::max(cell.low_encounter_share, static_cast<float>(share));
 }
@@ -215,6 +234,8 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
   const bool following_unwatched = static_cast<double>(cell.low_encounter_share) > kLowEncounterLimit;
   cell.verdict = verdict_of(tally, following_unwatched);
   cell.margin = cell.governing == kNoCriterion ? 0.0F : static_cast<float>(tally.governing_margin);
+  cell.next_margin_steps =
+      static_cast<std::uint16_t>(tally.next_margin / static_cast<double>(kNextMarginStep));
   fill_columns(criteria, watch, moments, circumstances.speed, cell);
   if (following_unwatched) {
     cell.hazards |= kHazardFollowingUnwatched;

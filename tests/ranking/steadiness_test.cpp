@@ -27,7 +27,7 @@ class SteadinessTest : public testing::Test {
       grid_->speeds[v] = 4.0 * kKnot * static_cast<double>(v);
     }
     QS_CHECK(criteria_.push_back({.name = Name("roll"), .limit = 0.1, .caution_fraction = 0.75}));
-    steady_.configure({});
+    steady_.configure({.dwell = 600.0});
   }
   /// A cycle at `time` s in which every cell is as given; what is shown of one cell.
   Verdict cycle(double time, Verdict now, float margin, int source = 0) {
@@ -68,7 +68,7 @@ TEST_F(SteadinessTest, BetterIsShownAfterTheDwell) {
 
 TEST_F(SteadinessTest, TheWaitIsTheSameWhateverTheCyclePeriod) {
   for (const double period : {0.1, 1.0, 7.3, 60.0, 599.0}) {
-    steady_.configure({});
+    steady_.configure({.dwell = 600.0});
     cycle(0, Verdict::kExceeded, 0.9F);
     cycle(period, Verdict::kGood, 2.0F);  // better from here on
     double t = period;
@@ -109,13 +109,13 @@ TEST_F(SteadinessTest, HardlyBetterWaitsThreeTimesAsLongAndNotForEver) {
   }
   EXPECT_NEAR(t, 1.0 + 1800.0, 1.0);
   // At a caution fraction of 0.75 good begins at 1.333 and is clear at 1.4.
-  steady_.configure({});
+  steady_.configure({.dwell = 600.0});
   cycle(0, Verdict::kCaution, 1.2F);
   t = 0.0;
   while (cycle(t += 1.0, Verdict::kGood, 1.36F) == Verdict::kCaution && t < 4000.0) {
   }
   EXPECT_NEAR(t, 1.0 + 1800.0, 1.0);
-  steady_.configure({});
+  steady_.configure({.dwell = 600.0});
   cycle(0, Verdict::kCaution, 1.2F);
   t = 0.0;
   while (cycle(t += 1.0, Verdict::kGood, 1.41F) == Verdict::kCaution && t < 4000.0) {
@@ -125,13 +125,13 @@ TEST_F(SteadinessTest, HardlyBetterWaitsThreeTimesAsLongAndNotForEver) {
 
 TEST_F(SteadinessTest, EverythingIsShownAtOnceWhenTimeJumps) {
   for (const double jump : {-1.0, -1e6, 601.0, 1e6, std::numeric_limits<double>::quiet_NaN()}) {
-    steady_.configure({});
+    steady_.configure({.dwell = 600.0});
     cycle(0, Verdict::kExceeded, 0.9F);
     cycle(10, Verdict::kExceeded, 0.9F);
     EXPECT_EQ(cycle(10.0 + jump, Verdict::kGood, 2.0F), Verdict::kGood) << jump;
   }
   // A gap of the dwell is none.
-  steady_.configure({});
+  steady_.configure({.dwell = 600.0});
   cycle(0, Verdict::kExceeded, 0.9F);
   EXPECT_EQ(cycle(600.0, Verdict::kGood, 2.0F), Verdict::kExceeded);
 }
