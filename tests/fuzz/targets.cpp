@@ -22,6 +22,7 @@ std::span<const Target> targets() {
       Target{"query", run_query, no_seeds, 200},
       Target{"alert_ack", run_alert_ack, no_seeds, 500},
       Target{"time", run_time, no_seeds, 500},
+      Target{"nmea", run_nmea, nmea_seeds, 3000},
       Target{"picture", run_picture, no_seeds, 200},
       Target{"session", run_session, session_seeds, 60},
   };

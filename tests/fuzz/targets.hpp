@@ -54,6 +54,10 @@ void run_alert_ack(std::span<const std::uint8_t> bytes);
 void run_time(std::span<const std::uint8_t> bytes);
 std::vector<Bytes> no_seeds();
 
+/// NMEA 0183 lines and datagrams.
+void run_nmea(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> nmea_seeds();
+
 /// Advice, grid and limits read back and drawn.
 void run_picture(std::span<const std::uint8_t> bytes);
 
