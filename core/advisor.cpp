@@ -89,6 +89,9 @@ Status Advisor::build(const Loading& loading) {
       !status) {
     return status;
   }
+  if (const Status status = list_people_channels(criteria_, watch_); !status) {
+    return status;
+  }
   channels_ = bind_criteria(criteria_, watch_);
   return solve_speeds();
 }

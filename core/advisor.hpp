@@ -39,8 +39,8 @@ namespace quickstrip {
 class Advisor {
  public:
   /// With the hull's own loading. Errors: those of check_criteria, load, list_channels,
-  /// solve_transfer_functions; kOutOfRange or kTooMany for the grid definition. After an error not
-  /// configured.
+  /// list_people_channels, solve_transfer_functions; kOutOfRange or kTooMany for the grid definition. After
+  /// an error not configured.
   Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
                    const SteadinessOptions& steadiness = {});
 

@@ -5,17 +5,45 @@
 
 #include "core/base/check.hpp"
 #include "core/response/deck_wetness.hpp"
+#include "core/response/interruptions.hpp"
 #include "core/response/mean_added_resistance.hpp"
 #include "core/response/moments.hpp"
+#include "core/response/motion_sickness.hpp"
 #include "core/response/propeller_emergence.hpp"
 #include "core/response/short_term.hpp"
 #include "core/response/slamming.hpp"
 
 namespace quickstrip {
 
-QuantityResponse quantity_response(const Channel& channel, double speed, const ResponseMoments& moments) {
+namespace {
+
+/// What people feel is the acceleration; the moments are those of the velocity.
+QuantityResponse sickness_response(const Channel& channel, const ResponseMoments& moments) {
+  const VerticalShaking shaking = vertical_shaking(moments.m0, moments.m2);
   QuantityResponse out{.quantity = channel.quantity,
                        .place = channel.place,
+                       .rms = shaking.rms_acceleration,
+                       .significant = significant_amplitude(moments.m2),
+                       .t1 = mean_period(moments.m0, moments.m1),
+                       .t2 = zero_crossing_period(moments.m0, moments.m2),
+                       .probability = motion_sickness(shaking, 0.0),
+                       .low_encounter_share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0,
+                       .variance = moments.m0_by_system};
+  for (double& variance : out.variance) {
+    variance *= shaking.frequency * shaking.frequency;
+  }
+  return out;
+}
+
+}  // namespace
+
+QuantityResponse quantity_response(const Channel& channel, double speed, const ResponseMoments& moments) {
+  if (channel.quantity == Quantity::kMotionSickness) {
+    return sickness_response(channel, moments);
+  }
+  QuantityResponse out{.quantity = channel.quantity,
+                       .place = channel.place,
+                       .to_starboard = channel.to_starboard,
                        .rms = std::sqrt(moments.m0),
                        .significant = significant_amplitude(moments.m0),
                        .t1 = mean_period(moments.m0, moments.m1),
@@ -36,6 +64,9 @@ QuantityResponse quantity_response(const Channel& channel, double speed, const R
   } else if (channel.quantity == Quantity::kPropellerEmergence) {
     out.probability = emergence_probability(level, moments.m0);
     out.per_hour = emergences_per_hour(level, moments.m0, moments.m2);
+  } else if (channel.quantity == Quantity::kMotionInterruptions) {
+    out.probability = rayleigh_exceedance(channel.level, moments.m0);
+    out.per_hour = 60.0 * interruptions_per_minute(channel.level, moments.m0, moments.m2);
   }
   return out;
 }
@@ -73,7 +104,9 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   out.cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments,
                    circumstances(inputs, speed, share, *damping));
   if (out.cell.governing != kNoCriterion) {
-    out.cell.governing_system = largest_system(moments[inputs.channels.of_criterion[out.cell.governing]]);
+    const std::size_t channel = inputs.channels.of_criterion[out.cell.governing];
+    out.cell.governing_system =
+        largest_system(moments_of(inputs.criteria[out.cell.governing], channel, moments));
   }
   const Result<MeanResistance> resistance =
       mean_added_resistance(inputs.transfer, inputs.sea, heading, speed);

@@ -20,23 +20,29 @@
 namespace quickstrip {
 
 /// One quantity at one place. Slamming, deck wetness and propeller emergence: rms, significant and periods
-/// are those of the vertical relative motion [m]. Periods are 0 where nothing moves.
+/// are those of the vertical relative motion [m]. Motion sickness: those of the vertical acceleration, with
+/// the period of motion that the incidence rests on, and the variance by system in the proportions of the
+/// vertical velocity. Interruptions: one a side, of what tips [m/s2] (interruptions.hpp). Periods are 0 where
+/// nothing moves.
 struct QuantityResponse {
   Quantity quantity = Quantity::kRoll;
-  std::uint8_t place = 0;             // index into points, slamming stations or freeboard points; motions: 0
-  double rms = 0.0;                   // m, rad or m/s2
-  double significant = 0.0;           // single amplitude
-  double t1 = 0.0;                    // s
-  double t2 = 0.0;                    // s
-  double t4 = kNotComputed;           // s, between maxima; where bandwidth is
-  double bandwidth = kNotComputed;    // epsilon, 0 ... 1: of watched quantities, or of all if asked
-  double probability = kNotComputed;  // per wave encounter; events only
-  double per_hour = kNotComputed;     // events only
-  double low_encounter_share = 0.0;   // of the variance, below the encounter-frequency floor
+  std::uint8_t place = 0;           // index into points, slamming stations or freeboard points; motions: 0
+  bool to_starboard = false;        // interruptions
+  double rms = 0.0;                 // m, rad or m/s2
+  double significant = 0.0;         // single amplitude
+  double t1 = 0.0;                  // s
+  double t2 = 0.0;                  // s
+  double t4 = kNotComputed;         // s, between maxima; where bandwidth is
+  double bandwidth = kNotComputed;  // epsilon, 0 ... 1: of watched quantities, or of all if asked
+  // Events: per wave encounter. Interruptions: per oscillation. Motion sickness: share of people in the two
+  // hours of 1974.
+  double probability = kNotComputed;
+  double per_hour = kNotComputed;                  // events and interruptions
+  double low_encounter_share = 0.0;                // of the variance, below the encounter-frequency floor
   std::array<double, kMaxWaveSystems> variance{};  // by wave system; their sum is rms^2
 };
 
-/// 71 quantities of about 150 bytes: static. `cell` holds verdict, governing criterion and margin.
+/// 83 quantities of about 150 bytes: static. `cell` holds verdict, governing criterion and margin.
 struct CellResponse {
   Heading heading{};
   double speed = 0.0;  // m/s

@@ -9,11 +9,19 @@
 #include "core/base/result.hpp"
 #include "core/base/static_vector.hpp"
 #include "core/hull/hull.hpp"
+#include "core/response/interruptions.hpp"
 #include "core/response/quantity.hpp"
 
 namespace quickstrip {
 
-enum class Statistic : std::uint8_t { kRms, kSignificant, kProbability, kPerHour };
+enum class Statistic : std::uint8_t {
+  kRms,
+  kSignificant,    // single amplitude
+  kProbability,    // per wave encounter
+  kPerHour,        // events
+  kShareOfPeople,  // who are sick
+  kPerMinute,      // interruptions
+};
 
 /// kNowhere: the criterion asks for a role that the hull file does not give; listed as not watched, and no
 /// cell is good without it.
@@ -25,17 +33,25 @@ struct Criterion {
   std::uint8_t place =
       0;  // index into the hull's points, slamming stations or freeboard points; propeller: 0
   Statistic statistic = Statistic::kRms;
-  double limit = 0.0;              // rad, m/s2, probability per encounter or number per hour
+  // m, rad, m/s2, probability per encounter, number per hour, share of people or number per minute
+  double limit = 0.0;
   double caution_fraction = 0.75;  // of the limit: amber from here on
+  double exposure = 0.0;           // s, motion sickness; 0: the two hours of 1974 (motion_sickness.hpp)
+  Stance stance{};                 // interruptions
   [[nodiscard]] bool is_watched() const { return place != kNowhere; }
 };
 
 using Criteria = StaticVector<Criterion, kMaxCriteria>;
 
-/// Whether the profile makes sense for this hull: every place exists or is kNowhere; motions and
-/// accelerations are judged by RMS or significant amplitude, slamming, deck wetness and propeller emergence
-/// by probability or rate per hour; limits are finite and above zero, a probability below one; caution
-/// fractions in (0, 1]. Errors: kNotFinite, kOutOfRange.
+/// Motions and accelerations are judged by RMS or significant amplitude, slamming, deck wetness and propeller
+/// emergence by probability or rate per hour, motion sickness by the share of people, interruptions by their
+/// number per minute.
+bool suits(Statistic statistic, Quantity quantity);
+
+/// Whether the profile makes sense for this hull: every place exists or is kNowhere; every statistic suits
+/// its quantity; limits are finite and above zero, a probability or a share below one; caution fractions in
+/// (0, 1]; an exposure is 0 or 5 min to 24 h; interruptions at one place have one stance. Errors: kNotFinite,
+/// kOutOfRange.
 Status check_criteria(const Criteria& criteria, const Hull& hull);
 
 }  // namespace quickstrip

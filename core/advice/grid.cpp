@@ -55,7 +55,8 @@ Cell judge_motions(const GridInputs& inputs, std::size_t h, double speed, GridWo
   Cell cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments,
                     circumstances(inputs, speed, share, damping));
   if (cell.governing != kNoCriterion) {
-    cell.governing_system = largest_system(moments[inputs.channels.of_criterion[cell.governing]]);
+    const std::size_t channel = inputs.channels.of_criterion[cell.governing];
+    cell.governing_system = largest_system(moments_of(inputs.criteria[cell.governing], channel, moments));
   }
   return cell;
 }

@@ -5,6 +5,8 @@
 
 #include "core/base/check.hpp"
 #include "core/response/deck_wetness.hpp"
+#include "core/response/interruptions.hpp"
+#include "core/response/motion_sickness.hpp"
 #include "core/response/short_term.hpp"
 #include "core/response/slamming.hpp"
 
@@ -40,6 +42,51 @@ double event_margin(const Criterion& criterion, const Channel& channel, double s
     probability = criterion.limit / per_hour;
   }
   return std::sqrt(event_exponent(channel, speed, moments) / -std::log(probability));
+}
+
+double sum_of_interruptions(double level, std::span<const ResponseMoments> sides) {
+  double sum = 0.0;
+  for (const ResponseMoments& side : sides) {
+    sum += interruptions_per_minute(level, side.m0, side.m2);
+  }
+  return sum;
+}
+
+/// With heights times f a side gives N exp(-E / f^2) a minute. In x = 1/f^2 the logarithm of the sum over
+/// the sides is convex and falls: Newton comes up to the root from the left, where one side alone starts.
+double interruptions_margin(double limit, double level, std::span<const ResponseMoments> sides) {
+  constexpr int kMostSteps = 60;
+  constexpr double kEnough = 1e-12;  // of x
+  const auto most = [](const ResponseMoments& side) {
+    return interruptions_per_minute(0.0, side.m0, side.m2);
+  };
+  double x = 0.0;
+  double all = 0.0;
+  for (const ResponseMoments& side : sides) {
+    all += most(side);
+    if (most(side) > limit) {
+      x = std::max(x, std::log(most(side) / limit) * 2.0 * side.m0 / (level * level));
+    }
+  }
+  if (!(all > limit)) {
+    return static_cast<double>(kMarginUnbounded);  // fewer oscillations than interruptions allowed
+  }
+  for (int i = 0; i < kMostSteps; ++i) {
+    double sum = 0.0;
+    double fall = 0.0;
+    for (const ResponseMoments& side : sides) {
+      const double exponent = side.m0 > 0.0 ? level * level / (2.0 * side.m0) : 0.0;
+      const double number = most(side) * std::exp(-exponent * x);
+      sum += number;
+      fall += exponent * number;
+    }
+    const double step = std::log(sum / limit) * sum / fall;
+    x += step;
+    if (!(std::fabs(step) > kEnough * x)) {
+      break;
+    }
+  }
+  return 1.0 / std::sqrt(x);
 }
 
 struct Tally {
@@ -79,7 +126,7 @@ void place_criterion(std::uint8_t index, bool is_caution, double margin, Tally& 
 }
 
 void judge_criterion(const Criterion& criterion, std::size_t index, const Channel& channel, double speed,
-                     const ResponseMoments& moments, Tally& tally, Cell& cell) {
+                     std::span<const ResponseMoments> moments, Tally& tally, Cell& cell) {
   const double value = criterion_value(criterion, channel, speed, moments);
   const double margin = height_margin(criterion, channel, speed, moments);
   tally.all_finite = tally.all_finite && std::isfinite(value) && std::isfinite(margin);
@@ -88,8 +135,10 @@ void judge_criterion(const Criterion& criterion, std::size_t index, const Channe
   const bool is_caution = value > criterion.caution_fraction * criterion.limit;
   tally.any_caution = tally.any_caution || is_caution;
   place_criterion(static_cast<std::uint8_t>(index), is_caution, margin, tally, cell);
-  const double share = moments.m0 > 0.0 ? moments.m0_low_encounter / moments.m0 : 0.0;
-  cell.low_encounter_share = std::max(cell.low_encounter_share, static_cast<float>(share));
+  for (const ResponseMoments& one : moments) {
+    const double share = one.m0 > 0.0 ? one.m0_low_encounter / one.m0 : 0.0;
+    cell.low_encounter_share = std::max(cell.low_encounter_share, static_cast<float>(share));
+  }
 }
 
 Verdict verdict_of(const Tally& tally, bool following_unwatched) {
@@ -171,15 +220,23 @@ CriteriaChannels bind_criteria(const Criteria& criteria, const Watch& watch) {
     const std::size_t c = find_channel(watch, criteria[i].quantity, criteria[i].place);
     if (criteria[i].is_watched() && c < watch.channels.size()) {
       out.of_criterion[i] = static_cast<std::uint8_t>(c);
-      out.is_needed[c] = true;
-      out.is_watched[c] = true;
+      for (std::size_t k = c; k < c + num_channels(criteria[i]); ++k) {
+        out.is_needed[k] = true;
+        out.is_watched[k] = true;
+      }
     }
   }
   return out;
 }
 
+std::span<const ResponseMoments> moments_of(const Criterion& criterion, std::size_t channel,
+                                            std::span<const ResponseMoments> all) {
+  return all.subspan(channel, num_channels(criterion));
+}
+
 double criterion_value(const Criterion& criterion, const Channel& channel, double speed,
-                       const ResponseMoments& moments) {
+                       std::span<const ResponseMoments> of_channels) {
+  const ResponseMoments& moments = of_channels.front();
   switch (criterion.statistic) {
     case Statistic::kRms:
       return std::sqrt(moments.m0);
@@ -190,22 +247,39 @@ double criterion_value(const Criterion& criterion, const Channel& channel, doubl
     case Statistic::kPerHour:
       return oscillations_per_hour(moments.m0, moments.m2) *
              std::exp(-event_exponent(channel, speed, moments));
+    case Statistic::kShareOfPeople:
+      return motion_sickness(vertical_shaking(moments.m0, moments.m2), criterion.exposure);
+    case Statistic::kPerMinute:
+      return sum_of_interruptions(channel.level, of_channels);
   }
   check_failed("a statistic that is not one", __FILE__, __LINE__);
 }
 
 double height_margin(const Criterion& criterion, const Channel& channel, double speed,
-                     const ResponseMoments& moments) {
+                     std::span<const ResponseMoments> moments) {
   constexpr auto kUnbounded = static_cast<double>(kMarginUnbounded);
+  const ResponseMoments& first = moments.front();
   if (criterion.statistic == Statistic::kProbability || criterion.statistic == Statistic::kPerHour) {
-    return std::min(event_margin(criterion, channel, speed, moments), kUnbounded);
+    return std::min(event_margin(criterion, channel, speed, first), kUnbounded);
+  }
+  if (criterion.statistic == Statistic::kShareOfPeople) {
+    const VerticalShaking shaking = vertical_shaking(first.m0, first.m2);
+    return std::min(motion_sickness_margin(shaking, criterion.exposure, criterion.limit), kUnbounded);
+  }
+  if (criterion.statistic == Statistic::kPerMinute) {
+    return std::min(interruptions_margin(criterion.limit, channel.level, moments), kUnbounded);
   }
   const double value = criterion_value(criterion, channel, speed, moments);
   return value <= criterion.limit / kUnbounded ? kUnbounded : criterion.limit / value;
 }
 
-std::uint8_t largest_system(const ResponseMoments& moments) {
-  const auto& parts = moments.m0_by_system;
+std::uint8_t largest_system(std::span<const ResponseMoments> moments) {
+  std::array<double, kMaxWaveSystems> parts{};
+  for (const ResponseMoments& one : moments) {
+    for (std::size_t s = 0; s < kMaxWaveSystems; ++s) {
+      parts[s] += one.m0_by_system[s];
+    }
+  }
   const auto* const largest = std::max_element(parts.begin(), parts.end());
   return *largest > 0.0 ? static_cast<std::uint8_t>(largest - parts.begin()) : kNoSystem;
 }
@@ -226,7 +300,8 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
       tally.any_unwatched = true;
       continue;
     }
-    judge_criterion(criteria[i], i, watch.channels[c], circumstances.speed, moments[c], tally, cell);
+    judge_criterion(criteria[i], i, watch.channels[c], circumstances.speed,
+                    moments_of(criteria[i], c, moments), tally, cell);
   }
   if (!tally.all_finite) {
     return unknown_cell(circumstances);

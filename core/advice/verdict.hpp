@@ -4,7 +4,9 @@
 // square: RMS and significant amplitude, limit / value; slamming, P = exp(-q / f^2) = limit gives
 // f = sqrt(q / ln(1 / limit)), likewise deck wetness with q = freeboard^2 / 2 m0 and propeller emergence with
 // q = depth^2 / 2 m0; for a rate per hour the
-// limit on P is limit / (3600 / T2), since T2 does not change with height.
+// limit on P is limit / (3600 / T2), since T2 does not change with height. Motion sickness:
+// motion_sickness.hpp; interruptions: where the sum over both sides reaches the limit, by Newton on a convex
+// function, which cannot overshoot.
 //
 // Verdict, the first that holds:
 //   exceeded  any watched value is over its limit;
@@ -22,6 +24,7 @@
 
 #include "core/advice/advice.hpp"
 #include "core/advice/criteria.hpp"
+#include "core/advice/people_channels.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
 #include "core/response/moments.hpp"
@@ -43,16 +46,21 @@ struct CriteriaChannels {
 
 CriteriaChannels bind_criteria(const Criteria& criteria, const Watch& watch);
 
-/// In the criterion's own statistic, at the ship's speed [m/s].
+/// Of the channels of a criterion that is bound to `channel`: one; of interruptions both sides. `all`: of the
+/// watch.
+std::span<const ResponseMoments> moments_of(const Criterion& criterion, std::size_t channel,
+                                            std::span<const ResponseMoments> all);
+
+/// In the criterion's own statistic, at the ship's speed [m/s]. `moments`: moments_of the criterion.
 double criterion_value(const Criterion& criterion, const Channel& channel, double speed,
-                       const ResponseMoments& moments);
+                       std::span<const ResponseMoments> moments);
 
 /// In [0, kMarginUnbounded]; 1 at the limit.
 double height_margin(const Criterion& criterion, const Channel& channel, double speed,
-                     const ResponseMoments& moments);
+                     std::span<const ResponseMoments> moments);
 
-/// The wave system of the largest variance; kNoSystem when there is none.
-std::uint8_t largest_system(const ResponseMoments& moments);
+/// The wave system of the largest variance, of both sides for interruptions; kNoSystem when there is none.
+std::uint8_t largest_system(std::span<const ResponseMoments> moments);
 
 /// What is known of a cell besides its moments.
 struct CellCircumstances {

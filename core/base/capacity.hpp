@@ -20,6 +20,9 @@ struct Host {
   static constexpr std::size_t kMaxPoints = 16;
   static constexpr std::size_t kMaxSlammingStations = 8;
   static constexpr std::size_t kMaxFreeboardPoints = 8;
+  // Channels of people, where criteria ask for them: one a point for motion sickness, two (to port and to
+  // starboard) for interruptions. Four points of both.
+  static constexpr std::size_t kMaxPeopleChannels = 12;
   // The grid that is swept each cycle (contract: 25 speeds x 72 headings).
   static constexpr std::size_t kMaxSpeeds = 25;
   // Directions of the wave energy and of the transfer functions, and headings: 5 degrees all round.
@@ -59,6 +62,7 @@ struct M7 {
   static constexpr std::size_t kMaxPoints = 4;
   static constexpr std::size_t kMaxSlammingStations = 2;
   static constexpr std::size_t kMaxFreeboardPoints = 2;
+  static constexpr std::size_t kMaxPeopleChannels = 1;  // motion sickness at one point: 2.2 kB a channel
   static constexpr std::size_t kMaxSpeeds = 8;
   static constexpr std::size_t kNumDirections = 36;
   static constexpr std::size_t kMaxFrequencies = 24;
@@ -95,8 +99,9 @@ inline constexpr std::size_t kMaxSlammingStations = capacity::Profile::kMaxSlamm
 inline constexpr std::size_t kMaxFreeboardPoints = capacity::Profile::kMaxFreeboardPoints;
 // Where the water moves against the ship: slamming stations, freeboard points and the propeller.
 inline constexpr std::size_t kMaxRelativeChannels = kMaxSlammingStations + kMaxFreeboardPoints + 1;
-// Response channels: six motions, three accelerations at each point, relative motion.
-inline constexpr std::size_t kMaxChannels = 6 + 3 * kMaxPoints + kMaxRelativeChannels;
+inline constexpr std::size_t kMaxPeopleChannels = capacity::Profile::kMaxPeopleChannels;
+// Response channels: six motions, three accelerations at each point, relative motion, people.
+inline constexpr std::size_t kMaxChannels = 6 + 3 * kMaxPoints + kMaxRelativeChannels + kMaxPeopleChannels;
 
 inline constexpr std::size_t kMaxSpeeds = capacity::Profile::kMaxSpeeds;
 inline constexpr std::size_t kNumDirections = capacity::Profile::kNumDirections;

@@ -168,7 +168,7 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
     if (needs[c] == Need::kNone || (has_levels && c == roll)) {
       continue;
     }
-    const bool wants_second = watch.channels[c].form.wave > 0.0;
+    const bool wants_second = needs_second_moment(watch.channels[c]);
     if (has_levels && feels_roll(watch.channels[c])) {
       list_at_levels(sweep, c, wants_second, work);
       blend(sweep, wants_second, work, out.channel[c]);

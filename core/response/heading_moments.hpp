@@ -30,7 +30,7 @@
 namespace quickstrip {
 
 /// What is wanted of each channel: nothing; its variance; also the part below the encounter-frequency floor.
-/// The second moment comes with every channel of relative motion that is wanted.
+/// The second moment comes with every channel that is wanted and needs it (watch.hpp).
 enum class Need : std::uint8_t { kNone, kVariance, kVarianceAndLowEncounter };
 using Needs = std::array<Need, kMaxChannels>;
 

@@ -18,6 +18,8 @@ enum class Quantity : std::uint8_t {
   kSlamming,              // at slamming station `place`
   kDeckWetness,           // at freeboard point `place`
   kPropellerEmergence,    // of the blade tip
+  kMotionSickness,        // of people at point `place`; where a criterion asks (motion_sickness.hpp)
+  kMotionInterruptions,   // of people who stand at point `place`, likewise (interruptions.hpp)
   // Not in the watch on board, nor on the wire (response/local_watch.hpp):
   kDisplacementX,
   kDisplacementY,
@@ -29,12 +31,19 @@ enum class Quantity : std::uint8_t {
   kRelativeVelocity,  // m/s
 };
 
-inline constexpr Quantity kLastWatched = Quantity::kPropellerEmergence;
+inline constexpr Quantity kLastWatched = Quantity::kMotionInterruptions;
 
 /// Counted: the water passes a level.
 constexpr bool is_event(Quantity quantity) {
   return quantity == Quantity::kSlamming || quantity == Quantity::kDeckWetness ||
          quantity == Quantity::kPropellerEmergence;
+}
+
+/// At a point of the hull file.
+constexpr bool is_at_point(Quantity quantity) {
+  return quantity == Quantity::kLongitudinalAcceleration || quantity == Quantity::kLateralAcceleration ||
+         quantity == Quantity::kVerticalAcceleration || quantity == Quantity::kMotionSickness ||
+         quantity == Quantity::kMotionInterruptions;
 }
 
 }  // namespace quickstrip

@@ -158,6 +158,11 @@ LinearForm linear_form(Quantity quantity, const Position& position, double gravi
   return form;
 }
 
+bool needs_second_moment(const Channel& channel) {
+  return channel.form.wave > 0.0 || channel.quantity == Quantity::kMotionSickness ||
+         channel.quantity == Quantity::kMotionInterruptions;
+}
+
 double level_at(const Channel& channel, double speed) {
   return std::max(channel.level - channel.static_swell_up.rise(speed), 0.0);
 }

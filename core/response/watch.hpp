@@ -1,5 +1,6 @@
 // The watch: every response channel of the loaded hull. Six motions of G, three accelerations at each point,
 // and the vertical relative motion at each slamming station, at each freeboard point and at the propeller.
+// Channels of people follow where criteria ask for them (advice/people_channels.hpp).
 //
 // Built when the loading changes. A channel is a linear functional of the six motions and the incident wave;
 // what it answers to waves is in channel_energy.hpp.
@@ -34,8 +35,9 @@ struct Channel {
   std::uint8_t place = 0;              // index into the hull's points, slamming stations or freeboard points
   PointRole role = PointRole::kOther;  // of the point, for accelerations
   Position position{};                 // relative to G; the origin for motions
+  bool to_starboard = false;  // interruptions: the side people tip to; the channel of port stands before it
   // m, >= 0, at rest: draught of the slamming station, freeboard of the freeboard point, depth of the blade
-  // tip
+  // tip. Interruptions: what people withstand [m/s2]
   double level = 0.0;
   double threshold_velocity = 0.0;  // m/s; slamming only
   LinearForm form{};
@@ -55,6 +57,9 @@ struct Watch {
 /// propeller that is out of the water at rest has level 0: it always is.
 Status list_channels(const Hull& hull, const Loading& loading, const Hydrostatics& hydrostatics,
                      SwellUp swell_up, Watch& out);
+
+/// m2 is part of what the channel is watched for; else it is nobody's in the sweep.
+bool needs_second_moment(const Channel& channel);
 
 /// Of an event at the ship's speed: less than at rest by the bow wave, >= 0 [m].
 double level_at(const Channel& channel, double speed);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMinute_s = 60.0;
 constexpr double kHour_s = 3600.0;
+constexpr double kTwoHours_s = 7200.0;  // what the model of 1974 means
 constexpr double kDay_s = 86'400.0;
 constexpr double kNoChange = 1.0e-6;  // of speed [m/s] or heading [rad]: rounding of a grid node
 
@@ -48,6 +49,11 @@ void add_value(double core_value, RimUnit unit, Sentence& out) {
       return add_percent(value, out);
     case RimUnit::kPerHour:
       return add_rate(value, out);
+    case RimUnit::kShareOfPeople:
+      add_percent(value, out);
+      return out.add(" of people");
+    case RimUnit::kPerMinute:
+      return out.add("{:.2f}/min", value);
   }
 }
 
@@ -228,6 +234,11 @@ void add_criterion(const Criterion& criterion, double value, const Cell& cell, S
       }
       break;
     case Statistic::kPerHour:
+    case Statistic::kPerMinute:
+      break;
+    case Statistic::kShareOfPeople:
+      out.add(" sick in ");
+      add_duration(criterion.exposure > 0.0 ? criterion.exposure : kTwoHours_s, out);
       break;
   }
   out.add(", limit ");

@@ -14,6 +14,8 @@ std::string_view place_name(const Hull& hull, Quantity quantity, std::uint8_t pl
     case Quantity::kLongitudinalAcceleration:
     case Quantity::kLateralAcceleration:
     case Quantity::kVerticalAcceleration:
+    case Quantity::kMotionSickness:
+    case Quantity::kMotionInterruptions:
       return place < hull.points.size() ? hull.points[place].name.view() : std::string_view();
     case Quantity::kSlamming:
       return place < hull.slamming.size() ? hull.slamming[place].name.view() : std::string_view();

@@ -14,7 +14,7 @@ constexpr std::size_t kWireQuantities = sizeof(response_t::rms) / sizeof(respons
 static_assert(kMaxChannels <= kWireQuantities);
 
 bool has_place(Quantity quantity) {
-  return rim_unit(quantity) == RimUnit::kMetrePerSecondSquared || is_event(quantity);
+  return is_at_point(quantity) || is_event(quantity);
 }
 
 std::int16_t criterion_of(const Criteria& criteria, const QuantityResponse& response) {

@@ -15,10 +15,13 @@ enum class RimUnit : std::uint8_t {
   kDegree = 1,
   kMetrePerSecondSquared = 2,
   kProbability = 3,
-  kPerHour = 4
+  kPerHour = 4,
+  kShareOfPeople = 5,
+  kPerMinute = 6
 };
 
-/// Of rms and significant. Events: of the relative motion, metres.
+/// Of rms and significant. Events: of the relative motion, metres. Motion sickness: of the vertical
+/// acceleration; interruptions: of what tips.
 constexpr RimUnit rim_unit(Quantity quantity) {
   switch (quantity) {
     case Quantity::kRoll:
@@ -28,6 +31,8 @@ constexpr RimUnit rim_unit(Quantity quantity) {
     case Quantity::kLongitudinalAcceleration:
     case Quantity::kLateralAcceleration:
     case Quantity::kVerticalAcceleration:
+    case Quantity::kMotionSickness:
+    case Quantity::kMotionInterruptions:
       return RimUnit::kMetrePerSecondSquared;
     default:
       return RimUnit::kMetre;
@@ -40,6 +45,10 @@ constexpr RimUnit rim_unit(Quantity quantity, Statistic statistic) {
       return RimUnit::kProbability;
     case Statistic::kPerHour:
       return RimUnit::kPerHour;
+    case Statistic::kShareOfPeople:
+      return RimUnit::kShareOfPeople;
+    case Statistic::kPerMinute:
+      return RimUnit::kPerMinute;
     default:
       return rim_unit(quantity);
   }

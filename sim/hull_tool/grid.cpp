@@ -52,6 +52,10 @@ std::string column_name(const Criterion& criterion) {
       return name + "_probability";
     case Statistic::kPerHour:
       return name + "_per_hour";
+    case Statistic::kShareOfPeople:
+      return name + "_share_of_people";
+    case Statistic::kPerMinute:
+      return name + "_per_minute";
     case Statistic::kRms:
       name += "_rms";
       break;

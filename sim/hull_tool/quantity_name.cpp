@@ -28,6 +28,10 @@ QuantityName name_of(Quantity quantity) {
       return {"deck_wetness", "m"};
     case Quantity::kPropellerEmergence:
       return {"propeller_emergence", "m"};
+    case Quantity::kMotionSickness:
+      return {"motion_sickness", "m/s2"};
+    case Quantity::kMotionInterruptions:
+      return {"motion_interruptions", "m/s2"};
     case Quantity::kDisplacementX:
       return {"displacement_x", "m"};
     case Quantity::kDisplacementY:
@@ -70,6 +74,8 @@ std::string place_of(Quantity quantity, std::uint8_t place, const Hull& hull) {
     case Quantity::kLongitudinalAcceleration:
     case Quantity::kLateralAcceleration:
     case Quantity::kVerticalAcceleration:
+    case Quantity::kMotionSickness:
+    case Quantity::kMotionInterruptions:
       return std::string(hull.points[place].name.view());
     case Quantity::kSlamming:
       return std::string(hull.slamming[place].name.view());

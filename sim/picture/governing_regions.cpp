@@ -10,8 +10,9 @@
 namespace quickstrip {
 namespace {
 
-// Of response_t's quantity: surge sway heave roll pitch yaw, acceleration along x y z, slamming, wetness.
-constexpr std::string_view kQuantityLetters = "ZYHRPQXLVSW";
+// Of response_t's quantity: surge sway heave roll pitch yaw, acceleration along x y z, slamming, wetness, emergence
+// of the propeller, sickness, interruptions.
+constexpr std::string_view kQuantityLetters = "ZYHRPQXLVSWEKI";
 
 struct CellIndex {
   int speed = 0;
