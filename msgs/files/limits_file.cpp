@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
-#include "core/base/angles.hpp"
+#include "core/advice/people_channels.hpp"
+#include "msgs/files/limits_file_values.hpp"
 #include "msgs/files/text_file.hpp"
 #include "msgs/files/toml_table.hpp"
 
@@ -14,106 +16,6 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kMaxLimitsFileBytes = 1'000'000;
-
-enum class Kind { kTranslation, kRotation, kAcceleration, kEvent };
-
-Kind kind_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kSurge:
-    case Quantity::kSway:
-    case Quantity::kHeave:
-      return Kind::kTranslation;
-    case Quantity::kRoll:
-    case Quantity::kPitch:
-    case Quantity::kYaw:
-      return Kind::kRotation;
-    case Quantity::kSlamming:
-    case Quantity::kDeckWetness:
-    case Quantity::kPropellerEmergence:
-      return Kind::kEvent;
-    default:
-      return Kind::kAcceleration;
-  }
-}
-
-Quantity read_quantity(const TomlTable& table) {
-  constexpr std::array kQuantities{Quantity::kSurge,
-                                   Quantity::kSway,
-                                   Quantity::kHeave,
-                                   Quantity::kRoll,
-                                   Quantity::kPitch,
-                                   Quantity::kYaw,
-                                   Quantity::kLongitudinalAcceleration,
-                                   Quantity::kLateralAcceleration,
-                                   Quantity::kVerticalAcceleration,
-                                   Quantity::kSlamming,
-                                   Quantity::kDeckWetness,
-                                   Quantity::kPropellerEmergence};
-  return kQuantities[table.choice(
-      "quantity",
-      {"surge", "sway", "heave", "roll", "pitch", "yaw", "longitudinal_acceleration", "lateral_acceleration",
-       "vertical_acceleration", "slamming", "deck_wetness", "propeller_emergence"})];
-}
-
-Statistic read_statistic(const TomlTable& table, Kind kind) {
-  if (kind == Kind::kEvent) {
-    return table.choice("statistic", {"probability", "per_hour"}) == 0 ? Statistic::kProbability
-                                                                       : Statistic::kPerHour;
-  }
-  return table.choice("statistic", {"rms", "significant"}) == 0 ? Statistic::kRms : Statistic::kSignificant;
-}
-
-struct LimitKey {
-  const char* key;
-  NumberRange range;
-  double factor;  // to core's unit
-};
-
-constexpr std::array kLimitKeys{
-    LimitKey{"limit_m", {1.0e-3, 100.0, "m"}, 1.0},
-    LimitKey{"limit_deg", {1.0e-3, 90.0, "degrees"}, kPi / 180.0},
-    LimitKey{"limit_g", {1.0e-4, 5.0, "g"}, kStandardGravity},
-    LimitKey{"limit_m_s2", {1.0e-3, 50.0, "m/s2"}, 1.0},
-    LimitKey{"limit_probability", {1.0e-9, 0.999, "per wave encounter"}, 1.0},
-    LimitKey{"limit_per_hour", {1.0e-6, 1.0e4, "an hour"}, 1.0},
-};
-
-bool suits(const LimitKey& limit, Kind kind, Statistic statistic) {
-  const std::string_view key = limit.key;
-  switch (kind) {
-    case Kind::kTranslation:
-      return key == "limit_m";
-    case Kind::kRotation:
-      return key == "limit_deg";
-    case Kind::kAcceleration:
-      return key == "limit_g" || key == "limit_m_s2";
-    case Kind::kEvent:
-      return key == (statistic == Statistic::kProbability ? "limit_probability" : "limit_per_hour");
-  }
-  return false;
-}
-
-double read_limit(const TomlTable& table, Kind kind, Statistic statistic) {
-  const LimitKey* given = nullptr;
-  std::string wanted;
-  for (const LimitKey& limit : kLimitKeys) {
-    wanted += suits(limit, kind, statistic) ? (wanted.empty() ? "" : " or ") + std::string(limit.key) : "";
-  }
-  for (const LimitKey& limit : kLimitKeys) {
-    if (!table.has(limit.key)) {
-      continue;
-    }
-    if (given != nullptr || !suits(limit, kind, statistic)) {
-      table.refuse(limit.key,
-                   fmt::format("{}, and only one limit, is wanted for this quantity and statistic", wanted));
-    }
-    given = &limit;
-  }
-  if (given == nullptr) {
-    table.refuse(wanted, "a limit is wanted");
-  }
-  return table.number(given->key, given->range) * given->factor;
-}
 
 struct Place {
   std::uint8_t index;
@@ -149,35 +51,48 @@ std::vector<Place> named_place(const TomlTable& table, const std::vector<Place>&
                fmt::format("one of the hull file's places is wanted: {}", known.empty() ? "none" : known));
 }
 
-std::vector<Place> places_of_role(const TomlTable& table, const Hull& hull) {
+/// Of a point without role or place: people are sick where passengers are, and work on deck.
+const char* default_role(Quantity quantity) {
+  return quantity == Quantity::kMotionSickness        ? "passengers"
+         : quantity == Quantity::kMotionInterruptions ? "deck"
+                                                      : nullptr;
+}
+
+std::vector<Place> places_of_role(const TomlTable& table, Quantity quantity, const Hull& hull) {
   constexpr std::array kRoles{PointRole::kBridge, PointRole::kForwardPerpendicular, PointRole::kDeck,
                               PointRole::kPassengers, PointRole::kOther};
-  const PointRole role = kRoles[table.choice("role", {"bridge", "fp", "deck", "passengers", "other"})];
+  constexpr std::array kNames{"bridge", "fp", "deck", "passengers", "other"};
+  std::size_t chosen = 0;
+  if (!table.has("role") && default_role(quantity) != nullptr) {
+    chosen = static_cast<std::size_t>(
+        std::find(kNames.begin(), kNames.end(), std::string_view(default_role(quantity))) - kNames.begin());
+  } else {
+    chosen = table.choice("role", {kNames[0], kNames[1], kNames[2], kNames[3], kNames[4]});
+  }
   std::vector<Place> list;
   for (std::size_t i = 0; i < hull.points.size(); ++i) {
-    if (hull.points[i].role == role) {
+    if (hull.points[i].role == kRoles[chosen]) {
       list.push_back({static_cast<std::uint8_t>(i), std::string(hull.points[i].name.view())});
     }
   }
   if (list.empty()) {
-    list.push_back({kNowhere, table.text("role")});
+    list.push_back({kNowhere, kNames[chosen]});
   }
   return list;
 }
 
 /// One at least; kNowhere where the hull has no such place.
 std::vector<Place> read_places_of(const TomlTable& table, Quantity quantity, const Hull& hull) {
-  const Kind kind = kind_of(quantity);
-  const bool is_local = kind == Kind::kAcceleration || kind == Kind::kEvent;
+  const bool is_local = is_at_point(quantity) || is_event(quantity);
   for (const char* key : {"role", "place"}) {
     if (table.has(key) && !is_local) {
       table.refuse(key, "no place is wanted: this motion is that of the centre of gravity");
     }
   }
   if (!is_local) {
-    return {{0, ""}};
+    return {{0, "G"}};
   }
-  if (kind == Kind::kEvent) {
+  if (is_event(quantity)) {
     if (table.has("role")) {
       table.refuse("role",
                    "place = \"NAME\", or neither, is wanted: stations, freeboard points and the propeller "
@@ -187,42 +102,92 @@ std::vector<Place> read_places_of(const TomlTable& table, Quantity quantity, con
     if (table.has("place")) {
       return named_place(table, all);
     }
-    return all.empty() ? std::vector<Place>{{kNowhere, ""}} : all;
+    const char* const nowhere = quantity == Quantity::kPropellerEmergence ? "propeller" : "bow";
+    return all.empty() ? std::vector<Place>{{kNowhere, nowhere}} : all;
   }
   if (table.has("role") && table.has("place")) {
     table.refuse("place", "either role or place is wanted, not both");
   }
-  return table.has("place") ? named_place(table, all_places(hull.points)) : places_of_role(table, hull);
+  return table.has("place") ? named_place(table, all_places(hull.points))
+                            : places_of_role(table, quantity, hull);
+}
+
+constexpr std::string_view kPlaceMark = "{place}";
+
+/// Cut between two characters of UTF-8.
+std::string cut(std::string text) {
+  std::size_t end = std::min(text.size(), kMaxNameBytes - 1);
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) {
+    --end;
+  }
+  text.resize(end);
+  return text;
+}
+
+/// "slamming at {place}" of a place of the hull; a name without the mark gets " at PLACE" where there are
+/// several. With the mark it is cut where it is too long: the profile does not know the hull.
+std::string name_at(const TomlTable& table, const Place& place, bool is_one_of_several) {
+  std::string name = table.name("name");
+  const std::size_t mark = name.find(kPlaceMark);
+  if (mark != std::string::npos) {
+    return cut(name.replace(mark, kPlaceMark.size(), place.name));
+  }
+  name += is_one_of_several ? " at " + place.name : "";
+  if (name.size() > kMaxNameBytes - 1) {
+    table.refuse("name", fmt::format("a shorter name is wanted: \"{}\" has {} bytes, {} fit", name,
+                                     name.size(), kMaxNameBytes - 1));
+  }
+  return name;
+}
+
+void refuse_conflict(const TomlTable& table, const Criterion& criterion, const Criteria& before) {
+  for (const Criterion& other : before) {
+    const bool is_cut = criterion.name.view().size() + 4 > kMaxNameBytes;  // whole names differ further on
+    if (other.name == criterion.name && !is_cut) {
+      table.refuse("name", "a name of its own is wanted: one before has the same");
+    }
+    const bool same_people = criterion.quantity == Quantity::kMotionInterruptions &&
+                             other.quantity == criterion.quantity && other.place == criterion.place &&
+                             criterion.is_watched();
+    if (same_people && !(other.stance == criterion.stance)) {
+      table.refuse("name", fmt::format("the stance of \"{}\" is wanted: interruptions at one place have one",
+                                       other.name.view()));
+    }
+  }
 }
 
 void read_criterion(const TomlTable& table, const Hull& hull, const TomlTable& root, Criteria& criteria) {
-  table.allow_only({"name", "quantity", "role", "place", "statistic", "limit_m", "limit_deg", "limit_g",
-                    "limit_m_s2", "limit_probability", "limit_per_hour", "caution_fraction"});
-  const std::string name = table.name("name");
-  Criterion criterion;
-  criterion.quantity = read_quantity(table);
-  const Kind kind = kind_of(criterion.quantity);
-  criterion.statistic = read_statistic(table, kind);
-  criterion.limit = read_limit(table, kind, criterion.statistic);
-  criterion.caution_fraction = table.number_or("caution_fraction", {0.01, 1.0, "of the limit"}, 0.75);
+  Criterion criterion = read_values(table, hull.lpp);
   const std::vector<Place> places = read_places_of(table, criterion.quantity, hull);
   for (const Place& place : places) {
-    const std::string full = places.size() > 1 ? fmt::format("{} at {}", name, place.name) : name;
-    if (full.size() > kMaxNameBytes - 1) {
-      table.refuse("name", fmt::format("a shorter name is wanted: \"{}\" has {} bytes, {} fit", full,
-                                       full.size(), kMaxNameBytes - 1));
-    }
-    criterion.name = Name(full);
+    criterion.name = Name(name_at(table, place, places.size() > 1));
     criterion.place = place.index;
-    for (const Criterion& other : criteria) {
-      if (other.name == criterion.name) {
-        table.refuse("name", "a name of its own is wanted: one before has the same");
-      }
-    }
+    refuse_conflict(table, criterion, criteria);
     if (!criteria.push_back(criterion)) {
       root.refuse_list("criterion",
                        fmt::format("more than {}, counted by place: at most that many fit", kMaxCriteria));
     }
+  }
+}
+
+/// What people_channels.hpp will make of it.
+void refuse_too_many_people(const TomlTable& root, const Criteria& criteria) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < criteria.size(); ++i) {
+    const Criterion& criterion = criteria[i];
+    const bool is_asked = criterion.is_watched() && (criterion.quantity == Quantity::kMotionSickness ||
+                                                     criterion.quantity == Quantity::kMotionInterruptions);
+    const bool is_new = std::none_of(
+        criteria.begin(), criteria.begin() + static_cast<std::ptrdiff_t>(i), [&](const Criterion& other) {
+          return other.quantity == criterion.quantity && other.place == criterion.place;
+        });
+    count += is_asked && is_new ? num_channels(criterion) : 0;
+  }
+  if (count > kMaxPeopleChannels) {
+    root.refuse_list("criterion",
+                     fmt::format("motion_sickness (1 a point) and motion_interruptions (2 a point) count {}: "
+                                 "at most {} fit",
+                                 count, kMaxPeopleChannels));
   }
 }
 
@@ -237,6 +202,7 @@ LimitsProfile read_all(const TomlTable& root, const Hull& hull) {
   if (profile.criteria.empty()) {  // a profile without limits would call every sea good
     root.refuse_list("criterion", "none given: at least one table [[criterion]] is wanted");
   }
+  refuse_too_many_people(root, profile.criteria);
   return profile;
 }
 

@@ -3,19 +3,28 @@
 //   schema = 1
 //   name = "heavy work on deck"
 //   [[criterion]]
-//   name = "vertical acc."                # of several places: "vertical acc. at NAME"
+//   name = "vertical acc. at {place}"     # {place}: the hull's name of it; without: " at NAME" where there
+//                                         # are several
 //   quantity = "vertical_acceleration"    # surge sway heave roll pitch yaw, longitudinal_, lateral_,
-//                                         # vertical_acceleration, slamming, deck_wetness
-//   role = "deck"                         # accelerations: every point of that role; a role that the hull has
-//                                         # not: the criterion is kept, not watched, and no cell is good
+//                                         # vertical_acceleration, slamming, deck_wetness,
+//                                         # propeller_emergence, motion_sickness, motion_interruptions
+//   role = "deck"                         # at a point: every one of that role; a role that the hull has not:
+//                                         # the criterion is kept, not watched, and no cell is good
 //   # place = "crane"                     # or the one point, slamming station or freeboard point of that
-//   name statistic = "rms"                     # rms, significant; slamming and deck_wetness: probability,
-//   per_hour limit_g = 0.15                        # limit_m, limit_deg, limit_g or limit_m_s2,
-//   limit_probability,
-//                                         # limit_per_hour: the one that suits quantity and statistic
+//   name statistic = "rms"                     # rms, significant; slamming, deck_wetness,
+//   propeller_emergence:
+//                                         # probability, per_hour; motion_sickness: share_of_people;
+//                                         # motion_interruptions: per_minute
+//   limit_g = 0.15                        # limit_m, _deg, _g or _m_s2, _probability, _per_hour, _percent,
+//                                         # _per_minute: the one that suits quantity and statistic
+//   # limit_g_by_length = [[100, 0.275], [330, 0.05]]   # or by lpp [m]: linear between, constant beyond
 //   caution_fraction = 0.75               # of the limit, default 0.75
+//   # exposure_min = 240                  # motion_sickness: model of 1976; without: two hours, that of 1974
+//   # stance_height_m = 1.2               # motion_interruptions: of the centre of gravity, default 1.2
+//   # stance_half_width_ratio = 0.25      # half the distance of the feet by that height, default 0.25
 //
-// Slamming and deck wetness without `place` are judged at every station or point that the hull has.
+// Slamming, deck wetness and propeller emergence without `place` are judged at every place that the hull has;
+// motion_sickness without role or place where passengers are, motion_interruptions on deck.
 #pragma once
 
 #include <filesystem>

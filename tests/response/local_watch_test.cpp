@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/advice/people_channels.hpp"
 #include "core/response/moments.hpp"
 #include "tests/response/synthetic.hpp"
 
@@ -147,6 +148,12 @@ TEST_F(LocalMotions, FillTheWatchToItsCapacity) {
   hull_->propeller = Propeller{2.0, 3.0};
   ASSERT_TRUE(
       list_channels(*hull_, hull_->loading, synthetic::box_hydrostatics(), SwellUp::kOff, watch_).ok());
+  EXPECT_EQ(watch_.channels.size(), kMaxChannels - kMaxPeopleChannels);
+  Criteria criteria;
+  for (std::uint8_t i = 0; i < kMaxPeopleChannels; ++i) {
+    ASSERT_TRUE(criteria.push_back({.quantity = Quantity::kMotionSickness, .place = i}));
+  }
+  ASSERT_TRUE(list_people_channels(criteria, watch_).ok());
   EXPECT_EQ(watch_.channels.size(), kMaxChannels);
   const auto all = moments_of(watch_);
   for (std::size_t c = 0; c < all.size(); ++c) {
