@@ -1,5 +1,6 @@
 // What a session sends: each message filled, stamped, encoded into the one static buffer, handed over.
 #include <algorithm>
+#include <span>
 
 #include "firmware/session/repeat.hpp"
 #include "firmware/session/session.hpp"
@@ -55,6 +56,7 @@ void Session::fill_advice(std::int64_t now, const StepOutput& output, const Fitn
     context.inputs[static_cast<std::size_t>(Input::kMotion)] = inputs_.used(Input::kMotion);
   }
   context.sea_assumptions = sea_in_force == Input::kSeaState ? inputs_.sea_state().assumed : 0;
+  context.systems = std::span(output.systems).first(output.num_systems);
   Advice advice = output.advice;
   if (inputs_.own_ship(now).ok()) {  // where the ship goes is known even when there is no advice on it
     context.speed_kind = speed_kind(inputs_.ship().ship);

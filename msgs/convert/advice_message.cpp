@@ -100,7 +100,8 @@ void put_change_figures(const Cell* cell, std::size_t i, advice_t& out) {
   out.change_speed_loss_kn[i] = kUnknown;  // resistance and power come with a later issue
 }
 
-void put_changes(const Advice& advice, const Grid& grid, const Criteria& criteria, advice_t& out) {
+void put_changes(const Advice& advice, const Grid& grid, const Criteria& criteria, WaveSystems systems,
+                 advice_t& out) {
   out.change_needed = advice.change_needed ? 1 : 0;
   out.none_is_good = advice.none_is_good ? 1 : 0;
   out.no_change_helps = advice.no_change_helps ? 1 : 0;
@@ -118,7 +119,7 @@ void put_changes(const Advice& advice, const Grid& grid, const Criteria& criteri
     const Cell* cell = cell_at(grid, change.heading, change.speed);
     put_change_figures(cell, i, out);
     Sentence text;
-    add_change(change, cell, criteria, text);
+    add_change(change, cell, criteria, systems, text);
     put_text(text.view(), out.change_text[i]);
   }
 }
@@ -162,8 +163,8 @@ void to_message(const Advice& advice, const Grid& grid, const Criteria& criteria
     return;
   }
   put_present(advice.present, criteria, out);
-  put_changes(advice, grid, criteria, out);
-  add_reasons(advice, criteria, text);
+  put_changes(advice, grid, criteria, context.systems, out);
+  add_reasons(advice, criteria, context.systems, text);
   put_text(text.view(), out.reasons_text);
 }
 

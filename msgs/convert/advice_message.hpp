@@ -40,6 +40,7 @@ struct AdviceContext {
   std::uint32_t sea_assumptions = 0;
   SpeedKind speed_kind = SpeedKind::kNotKnown;
   NoAdviceDetail no_advice;
+  WaveSystems systems;  // of the sea in force; may be empty
 };
 
 /// Fills the whole message but its digest (seal it last). `grid` gives the figures of the changes; it is read

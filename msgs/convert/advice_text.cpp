@@ -1,10 +1,8 @@
 #include "msgs/convert/advice_text.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/constants.hpp"
-#include "msgs/convert/quality_text.hpp"
 #include "msgs/convert/rim_units.hpp"
 #include "msgs/convert/units.hpp"
 
@@ -15,7 +13,6 @@ constexpr double kMinute_s = 60.0;
 constexpr double kHour_s = 3600.0;
 constexpr double kTwoHours_s = 7200.0;  // what the model of 1974 means
 constexpr double kDay_s = 86'400.0;
-constexpr double kNoChange = 1.0e-6;  // of speed [m/s] or heading [rad]: rounding of a grid node
 
 void add_percent(double probability, Sentence& out) {
   const double percent = 100.0 * probability;
@@ -57,20 +54,6 @@ void add_value(double core_value, RimUnit unit, Sentence& out) {
   }
 }
 
-void add_speed(double metres_per_second, Sentence& out) {
-  const double knots = to_knots(metres_per_second);
-  if (std::abs(knots - std::round(knots)) < 0.05) {
-    out.add("{:.0f} kn", knots);
-  } else {
-    out.add("{:.1f} kn", knots);
-  }
-}
-
-// 360 after rounding is north.
-double whole_degrees(double heading) {
-  return std::fmod(std::round(degrees(wrap_two_pi(heading))), 360.0);
-}
-
 const char* subject(NoAdvice reason) {
   switch (reason) {
     case NoAdvice::kSeaMissing:
@@ -86,71 +69,10 @@ const char* subject(NoAdvice reason) {
   }
 }
 
-const char* verdict_words(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kGood:
-      return "good";
-    case Verdict::kCaution:
-      return "near a limit";
-    case Verdict::kExceeded:
-      return "still above a limit";
-    case Verdict::kUnknown:
-      return "not judged";
-  }
-  return "not judged";
-}
-
-bool governs(const Cell& cell, const Criteria& criteria) {
-  return cell.governing < criteria.size() && cell.values[cell.governing] >= 0.0F;
-}
-
 // Singular verb for "heading and speed", which are one message.
 bool is_plural(NoAdvice reason) {
   return reason == NoAdvice::kOwnShipMissing || reason == NoAdvice::kOwnShipStale ||
          reason == NoAdvice::kOwnShipImplausible;
-}
-
-void add_why(const Advice& advice, const Criteria& criteria, Sentence& out) {
-  const Cell& cell = advice.present;
-  const bool has_governing = governs(cell, criteria);
-  switch (cell.verdict) {
-    case Verdict::kGood:
-      out.add("{}", has_governing ? "All limits kept; nearest: " : "All limits kept");
-      break;
-    case Verdict::kCaution:
-      out.add("{}", has_governing ? "Near a limit: " : "Near a limit");
-      break;
-    case Verdict::kExceeded:
-      out.add("{}", has_governing ? "" : "A limit is exceeded");
-      break;
-    case Verdict::kUnknown: {
-      const auto* const missing =
-          std::find_if(criteria.begin(), criteria.end(), [](const Criterion& c) { return !c.is_watched(); });
-      if (missing != criteria.end()) {
-        out.add("Not judged: the hull file gives no place for \"{}\"", missing->name.view());
-      } else {
-        out.add("Not judged");
-      }
-      out.add("{}", has_governing ? "; nearest: " : "");
-      break;
-    }
-  }
-  if (has_governing) {
-    add_criterion(criteria[cell.governing], static_cast<double>(cell.values[cell.governing]), cell, out);
-  }
-  out.capitalise();
-}
-
-void add_notes(const Cell& cell, Sentence& out) {
-  out.add("{}", (cell.hazards & kHazardNoSteerage) != 0 ? ". Below steerage speed" : "");
-  out.add("{}", (cell.hazards & kHazardFollowingUnwatched) != 0
-                    ? ". Following sea: slow motions are not fully covered"
-                    : "");
-  for (const QualityWords& words : kQualityWords) {
-    if ((cell.quality & words.bit) != 0 && *words.bridge != '\0') {
-      out.add(". {}", words.bridge);
-    }
-  }
 }
 
 }  // namespace
@@ -245,51 +167,48 @@ void add_criterion(const Criterion& criterion, double value, const Cell& cell, S
   add_value(criterion.limit, unit, out);
 }
 
-void add_action(const Change& change, Sentence& out) {
-  const bool turns = std::abs(change.heading_change) > kNoChange;
-  const bool speeds = std::abs(change.speed_change) > kNoChange;
-  if (turns) {
-    out.add("come {:.0f}° to {}", std::round(degrees(std::abs(change.heading_change))),
-            change.heading_change > 0.0 ? "starboard" : "port");
-  }
-  if (speeds) {
-    out.add("{}{} to ", turns ? " and " : "", change.speed_change < 0.0 ? "reduce" : "increase");
-    add_speed(change.speed, out);
-  }
-  if (!turns && !speeds) {
-    out.add("keep course and speed");
+void add_value_and_limit(const Criterion& criterion, double value, Sentence& out) {
+  const RimUnit unit = rim_unit(criterion.quantity, criterion.statistic);
+  out.add("{} ", criterion.name.view());
+  add_value(value, unit, out);
+  out.add(", limit ");
+  add_value(criterion.limit, unit, out);
+}
+
+void add_speed(double metres_per_second, Sentence& out) {
+  const double knots = to_knots(metres_per_second);
+  if (std::abs(knots - std::round(knots)) < 0.05) {
+    out.add("{:.0f} kn", knots);
+  } else {
+    out.add("{:.1f} kn", knots);
   }
 }
 
-void add_change(const Change& change, const Cell* cell, const Criteria& criteria, Sentence& out) {
-  add_action(change, out);
-  if (std::abs(change.heading_change) > kNoChange) {
-    out.add(" (course {:03.0f}°)", whole_degrees(change.heading));
-  }
-  out.add(": {}", verdict_words(change.verdict));
-  if (cell != nullptr && governs(*cell, criteria)) {
-    out.add("; nearest: ");
-    add_criterion(criteria[cell->governing], static_cast<double>(cell->values[cell->governing]), *cell, out);
-  }
-  out.capitalise();
+double whole_degrees(double heading) {
+  return std::fmod(std::round(degrees(wrap_two_pi(heading))), 360.0);
 }
 
-void add_reasons(const Advice& advice, const Criteria& criteria, Sentence& out) {
-  add_why(advice, criteria, out);
-  if (advice.change_needed) {
-    const bool is_lost = advice.no_change_helps || advice.changes.empty();
-    if (is_lost) {
-      out.add(": no other course or speed is better");
-    } else {
-      out.add("{}", advice.none_is_good ? ": no course and speed keeps all limits; best: " : ": ");
-      add_action(advice.changes[0], out);
-      if (advice.changes.size() > 1) {
-        out.add(", or ");
-        add_action(advice.changes[1], out);
-      }
+void add_reasons(const Advice& advice, const Criteria& criteria, WaveSystems systems, Sentence& out) {
+  const bool waits = advice.better_in > 0.0;
+  Cell now = advice.present;
+  now.verdict = waits ? advice.verdict_now : now.verdict;
+  add_why(now, criteria, systems, out);
+  if (advice.change_needed && (advice.no_change_helps || advice.changes.empty())) {
+    out.add(": no other course or speed is better");
+  } else if (advice.change_needed) {
+    out.add("{}", advice.none_is_good ? ": no course and speed keeps all limits; best: " : ": ");
+    add_action(advice.changes[0], out);
+    if (advice.changes.size() > 1) {
+      out.add(", or ");
+      add_action(advice.changes[1], out);
     }
   }
-  add_notes(advice.present, out);
+  if (waits) {
+    out.add(". Better only lately: ");
+    add_duration(advice.better_in, out);
+    out.add(" until it counts");
+  }
+  add_notes(now, out);
 }
 
 }  // namespace quickstrip

@@ -4,8 +4,10 @@
 
 #include "core/advice/advice.hpp"
 #include "core/advice/criteria.hpp"
+#include "msgs/convert/change_text.hpp"
 #include "msgs/convert/refusal.hpp"
 #include "msgs/convert/text.hpp"
+#include "msgs/convert/why_text.hpp"
 
 namespace quickstrip {
 
@@ -29,14 +31,18 @@ void add_duration(double seconds, Sentence& out);
 /// "slamming at bow 4.1 % of encounters (38/h), limit 2.2 %"
 void add_criterion(const Criterion& criterion, double value, const Cell& cell, Sentence& out);
 
-/// "come 20° to port and reduce to 12 kn"
-void add_action(const Change& change, Sentence& out);
+/// "slamming at bow 1.1 %, limit 2.2 %"
+void add_value_and_limit(const Criterion& criterion, double value, Sentence& out);
 
-/// "Come 20° to port (250°): good. Slamming at bow 1.1 % of encounters (9/h), limit 2.2 %"; `cell` of the
-/// grid at the change, or null when it is not a cell.
-void add_change(const Change& change, const Cell* cell, const Criteria& criteria, Sentence& out);
+/// "12 kn", "12.4 kn"
+void add_speed(double metres_per_second, Sentence& out);
 
-/// "Slamming at bow 4.1 % of encounters (38/h), limit 2.2 %: reduce to 12 kn, or come 20° to port"
-void add_reasons(const Advice& advice, const Criteria& criteria, Sentence& out);
+/// 0 ... 359: 360 after rounding is north.
+double whole_degrees(double heading);
+
+/// "Slamming at bow 4.1 % of encounters (38/h), limit 2.2 %; waves would have to fall by 20 %; swell of 12 s
+/// from 240°: reduce to 12 kn, or come 20° to port". Of the cycle's own verdict; while the steady one waits,
+/// that is said.
+void add_reasons(const Advice& advice, const Criteria& criteria, WaveSystems systems, Sentence& out);
 
 }  // namespace quickstrip

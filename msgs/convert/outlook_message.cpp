@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "core/base/angles.hpp"
+#include "msgs/convert/change_text.hpp"
 #include "msgs/convert/grid_message.hpp"
 #include "msgs/convert/rim_units.hpp"
+#include "msgs/convert/text.hpp"
 #include "msgs/convert/units.hpp"
 
 namespace quickstrip {
@@ -134,7 +137,8 @@ void put_turn(const Change& change, std::size_t i, outlook_t& out) {
   out.turn_max_roll_deg[i] = to_rim(static_cast<double>(turn.max_roll), RimUnit::kDegree);
 }
 
-void put_changes(const StepOutput& output, outlook_t& out) {
+void put_changes(const StepOutput& output, const Criteria& criteria, outlook_t& out) {
+  const WaveSystems systems = std::span(output.systems).first(output.num_systems);
   const auto& changes = output.advice.changes;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const Change& change = changes[i];
@@ -143,6 +147,9 @@ void put_changes(const StepOutput& output, outlook_t& out) {
     out.change_next_criterion[i] = index_or_none(change.next);
     out.change_next_margin[i] = static_cast<double>(change.next_margin);
     put_turn(change, i, out);
+    Sentence text;
+    add_turn(change, output.advice.present, criteria, systems, text);
+    put_text(text.view(), out.turn_text[i]);
   }
 }
 
@@ -165,7 +172,7 @@ void to_message(const StepOutput& output, const Criteria& criteria, std::uint32_
   out.verdict_now = static_cast<std::int8_t>(advice.verdict_now);
   out.better_in_s = advice.better_in;
   put_expected(output.present, criteria, out);
-  put_changes(output, out);
+  put_changes(output, criteria, out);
 }
 
 }  // namespace quickstrip

@@ -40,9 +40,11 @@ std::string no_advice(NoAdvice reason, const NoAdviceDetail& detail) {
 
 TEST(AdviceText, SaysWhatGovernsItsLimitAndWhatToDo) {
   Sentence out;
-  add_reasons(slamming_advice(), some_criteria(), out);
-  EXPECT_EQ(out.view(),
-            "Slamming at bow 4.1 % of encounters (38/h), limit 2.2 %: reduce to 12 kn, or come 20° to port");
+  add_reasons(slamming_advice(), some_criteria(), {}, out);
+  EXPECT_EQ(
+      out.view(),
+      "Slamming at bow 4.1 % of encounters (38/h), limit 2.2 %; waves would have to fall by 20 %: reduce to "
+      "12 kn, or come 20° to port");
 }
 
 TEST(AdviceText, NoAdviceSaysWhy) {
@@ -79,11 +81,13 @@ TEST(AdviceText, GoodStillNamesTheNearestLimit) {
   Advice advice = slamming_advice();
   advice.present.verdict = Verdict::kGood;
   advice.present.governing = 0;
+  advice.present.margin = 2.0F;
   advice.change_needed = false;
   advice.changes.clear();
   Sentence out;
-  add_reasons(advice, some_criteria(), out);
-  EXPECT_EQ(out.view(), "All limits kept; nearest: roll 3.0° RMS, limit 6.0°");
+  add_reasons(advice, some_criteria(), {}, out);
+  EXPECT_EQ(out.view(),
+            "All limits kept; nearest: roll 3.0° RMS, limit 6.0°, reached in waves 2.0 times as high");
 }
 
 TEST(AdviceText, WhenNothingHelpsItSaysSo) {
@@ -91,7 +95,7 @@ TEST(AdviceText, WhenNothingHelpsItSaysSo) {
   advice.changes.clear();
   advice.no_change_helps = true;
   Sentence out;
-  add_reasons(advice, some_criteria(), out);
+  add_reasons(advice, some_criteria(), {}, out);
   EXPECT_NE(out.view().find(": no other course or speed is better"), std::string_view::npos);
 }
 
@@ -100,7 +104,7 @@ TEST(AdviceText, WhatIsNotWatchedIsNeverCalledGood) {
   advice.present.verdict = Verdict::kUnknown;
   advice.change_needed = false;
   Sentence out;
-  add_reasons(advice, some_criteria(), out);
+  add_reasons(advice, some_criteria(), {}, out);
   EXPECT_EQ(out.view().rfind("Not judged: the hull file gives no place for \"lateral acceleration\"", 0), 0u);
 }
 
@@ -147,7 +151,7 @@ TEST(AdviceMessage, CarriesFiguresInUnitsOfTheBridge) {
   EXPECT_EQ(m->input_seq[advice_t::INPUT_SEA_STATE], 77);
   EXPECT_EQ(m->input_use[advice_t::INPUT_LOADING], +advice_t::USE_NONE);
   EXPECT_EQ(text_of(m->change_text[0]),
-            "Reduce to 12 kn: good; nearest: slamming at bow 1.1 % of encounters (9.4/h), limit 2.2 %");
+            "Reduce to 12 kn: good; slamming at bow 1.1 %, limit 2.2 %, reached if waves grow 30 %");
   EXPECT_EQ(text_of(m->change_text[1]).rfind("Come 20° to port (course 230°): near a limit", 0), 0u);
 }
 

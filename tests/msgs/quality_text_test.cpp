@@ -53,7 +53,7 @@ TEST(QualityText, TheBridgeIsToldInWholeWordsThatFitTheAdvice) {
   for (const QualityWords& words : kQualityWords) {
     advice.present.quality = words.bit;
     Sentence out;
-    add_reasons(advice, {}, out);
+    add_reasons(advice, {}, {}, out);
     const bool is_said = *words.bridge != '\0';
     EXPECT_EQ(out.view() != "All limits kept", is_said) << words.token;
     EXPECT_EQ(out.view().find(words.bridge) != std::string_view::npos, true);
