@@ -101,8 +101,9 @@ Status Advisor::solve_speeds() {
   if (!list) {
     return list.error();
   }
-  return solve_transfer_functions(loaded_, std::span(list->speeds).first(list->count),
-                                  alive<TransferWorkspace>(scratch_), transfer_);
+  const auto speeds = std::span(list->speeds).first(list->count);
+  list_zone_ship(hull_, loading_, loaded_, speeds, zone_ship_);
+  return solve_transfer_functions(loaded_, speeds, alive<TransferWorkspace>(scratch_), transfer_);
 }
 
 Status Advisor::rebuild() {
@@ -184,11 +185,24 @@ NoAdvice Advisor::place_sea(const StepInputs& inputs) {
   return has_sea_ ? NoAdvice::kNone : NoAdvice::kSeaImplausible;
 }
 
+void Advisor::place_zones(const OwnShip& ship, const MeasuredMotion* motion) {
+  prepare_zones(zone_ship_, sea_, std::span(transfer_.omega).first(transfer_.num_frequencies), zones_);
+  if (motion != nullptr) {
+    confirm_zones(zone_ship_, ship.heading, ship.speed,
+                  {.roll_rms = motion->roll_rms,
+                   .roll_period = motion->roll_period,
+                   .pitch_rms = motion->pitch_rms,
+                   .pitch_period = motion->pitch_period},
+                  zones_);
+  }
+}
+
 NoAdvice Advisor::advise(const StepInputs& step) {
   const OwnShip& ship = *step.own_ship;
   output_.quality = hull_quality(loaded_, loading_) | depth_quality(ship.water_depth, sea_, loading_) |
                     (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
   is_stabilised_ = ship.is_stabilised;
+  place_zones(ship, step.motion);
   const GridInputs inputs = grid_inputs(output_.quality);
   output_.hs = sea_.hs;
   output_.lost_tail = sea_.lost_tail;
@@ -279,7 +293,8 @@ GridInputs Advisor::grid_inputs(std::uint32_t quality) const {
           .min_steerage_speed = hull_.min_steerage_speed,
           .quality = quality,
           .is_stabilised = is_stabilised_,
-          .suppresses_low_encounter = method_.low_encounter == LowEncounterRule::kPaper};
+          .zone_ship = &zone_ship_,
+          .zones = &zones_};
 }
 
 bool Advisor::is_from_astern(std::uint8_t system, Heading heading) const {

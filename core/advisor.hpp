@@ -27,6 +27,7 @@
 #include "core/advice/verdict.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
+#include "core/hazard/zones.hpp"
 #include "core/hull/hull.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
@@ -64,6 +65,9 @@ class Advisor {
   [[nodiscard]] const Hull& hull() const { return hull_; }
   [[nodiscard]] const LoadedHull& loaded_hull() const { return loaded_; }
   [[nodiscard]] const TransferFunctions& transfer_functions() const { return transfer_; }
+  [[nodiscard]] const ZoneShip& zone_ship() const { return zone_ship_; }
+  /// In the sea of the last step that gave advice.
+  [[nodiscard]] const Zones& zones() const { return zones_; }
 
  private:
   enum class State : std::uint8_t { kNotConfigured, kReady, kRebuildDue, kLoadingRefused };
@@ -79,6 +83,7 @@ class Advisor {
   Status place_sea(const SeaState* state, const DirectionalSpectrum* spectrum);
   void sweep_ensemble(const StepInputs& inputs);
   Status sweep_member(const StepInputs& inputs, std::size_t member);
+  void place_zones(const OwnShip& ship, const MeasuredMotion* motion);
   void withhold(NoAdvice reason);
   [[nodiscard]] GridInputs grid_inputs(std::uint32_t quality) const;
   [[nodiscard]] bool is_from_astern(std::uint8_t system, Heading heading) const;
@@ -97,6 +102,8 @@ class Advisor {
   CriteriaChannels channels_;
   SeaEnergy sea_;
   Steadiness steadiness_;
+  ZoneShip zone_ship_;
+  Zones zones_;  // of the sea
   // Of rebuilding and of a cycle, which are never at once: one memory for both.
   std::variant<TransferWorkspace, GridWorkspace> scratch_;
   StepOutput output_;

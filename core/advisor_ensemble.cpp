@@ -22,6 +22,7 @@ Status Advisor::sweep_member(const StepInputs& inputs, std::size_t member) {
   }
   GridInputs of_member = grid_inputs(output_.quality);
   of_member.roll_shift = drawn.roll;
+  of_member.zones = nullptr;  // limits on motions are counted; the zones are those of the true sea
   GridWorkspace* const workspace = std::get_if<GridWorkspace>(&scratch_);
   QS_CHECK(workspace != nullptr);  // the sweep of the true sea came before
   return quickstrip::sweep_member(of_member, member, *workspace, output_.ensemble.exceeded);

@@ -65,7 +65,7 @@ struct Cell {
   float slam_probability = kNotComputed;  // per encounter, worst station
   float slams_per_hour = kNotComputed;    // worst station
   float wetness_probability = kNotComputed;  // per encounter, worst point
-  float low_encounter_share = 0.0F;          // largest share among watched variances
+  float low_encounter_share = 0.0F;          // largest among wave energy and watched variances
   // Roll damping beyond potential theory that the cell's own roll calls for: ratio of critical, and what is
   // left of its equation (response/roll_linearisation.hpp).
   float roll_damping_ratio = 0.0F;

@@ -96,13 +96,10 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   out.heading = heading;
   out.speed = speed;
   out.num_systems = inputs.sea.num_systems;
-  double share = 0.0;
-  if (inputs.suppresses_low_encounter) {
-    const Result<double> low = low_encounter_wave_share(inputs.transfer, inputs.sea, heading, speed);
-    share = low ? *low : 1.0;
-  }
+  const Result<double> slow = slow_wave_share(inputs.transfer, inputs.sea, heading, speed);
+  const double share = slow ? *slow : 1.0;
   out.cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments,
-                   circumstances(inputs, speed, share, *damping));
+                   circumstances(inputs, heading, speed, share, *damping));
   if (out.cell.governing != kNoCriterion) {
     const std::size_t channel = inputs.channels.of_criterion[out.cell.governing];
     out.cell.governing_system =

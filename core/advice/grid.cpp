@@ -45,15 +45,13 @@ Cell judge_motions(const GridInputs& inputs, std::size_t h, double speed, GridWo
       moments[c] = moments_at(workspace.moments.channel[c], h, inputs.sea.num_systems);
     }
   }
-  double share = 0.0;
-  if (inputs.suppresses_low_encounter) {
-    const double m0 = inputs.sea.hs * inputs.sea.hs / 16.0;
-    share = workspace.moments.low_encounter_energy[h] / m0;
-  }
+  const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(kNumDirections)};
+  const double m0 = inputs.sea.hs * inputs.sea.hs / 16.0;
+  const double share = workspace.moments.slow_wave_energy[h] / m0;
   const HeadingDamping& roll = workspace.moments.roll_damping;
   const RollDampingInUse damping{.added = roll.added[h], .residual = roll.residual[h]};
   Cell cell = judge(inputs.criteria, inputs.channels, inputs.watch, moments,
-                    circumstances(inputs, speed, share, damping));
+                    circumstances(inputs, heading, speed, share, damping));
   if (cell.governing != kNoCriterion) {
     const std::size_t channel = inputs.channels.of_criterion[cell.governing];
     cell.governing_system = largest_system(moments_of(inputs.criteria[cell.governing], channel, moments));
@@ -73,12 +71,12 @@ Cell judge_cell(const GridInputs& inputs, std::size_t h, double speed, GridWorks
 
 /// Moments on every heading, speed by speed; visit(v) after each.
 template <typename Visit>
-void for_each_speed(const GridInputs& inputs, const Needs& needs, GridWorkspace& workspace,
-                    const Visit& visit) {
+void for_each_speed(const GridInputs& inputs, const Needs& needs, bool counts_slow_waves,
+                    GridWorkspace& workspace, const Visit& visit) {
   workspace.needs = needs;
   workspace.cell.fill(ResponseMoments{});
   prepare_sweep(inputs.transfer, inputs.watch, workspace.needs, workspace.sweep);
-  const SweepOptions options{inputs.suppresses_low_encounter, inputs.is_stabilised, inputs.roll_shift};
+  const SweepOptions options{counts_slow_waves, inputs.is_stabilised, inputs.roll_shift};
   for (std::size_t v = 0; v < inputs.transfer.num_speeds; ++v) {
     list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea, options,
                          workspace.sweep, workspace.moments);
@@ -105,8 +103,8 @@ Status check_inputs(const GridInputs& inputs) {
 
 }  // namespace
 
-CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share,
-                                const RollDampingInUse& damping) {
+CellCircumstances circumstances(const GridInputs& inputs, Heading heading, double speed,
+                                double low_encounter_share, const RollDampingInUse& damping) {
   const double critical = inputs.transfer.critical_roll_damping;
   CellCircumstances known{.speed = speed,
                           .quality = inputs.quality,
@@ -126,6 +124,9 @@ CellCircumstances circumstances(const GridInputs& inputs, double speed, double l
   }
   if (speed < inputs.min_steerage_speed) {
     known.hazards |= kHazardNoSteerage;
+  }
+  if (inputs.zone_ship != nullptr && inputs.zones != nullptr) {
+    known.hazards |= zone_bits(*inputs.zone_ship, *inputs.zones, heading, speed);
   }
   return known;
 }
@@ -152,7 +153,7 @@ Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out)
   out.num_headings = inputs.num_headings;
   out.speeds = inputs.transfer.speeds;
   const std::size_t directions_per_heading = kNumDirections / inputs.num_headings;
-  for_each_speed(inputs, needs_of(inputs), workspace, [&](std::size_t v) {
+  for_each_speed(inputs, needs_of(inputs), true, workspace, [&](std::size_t v) {
     list_mean_added_resistance(inputs.transfer, v, inputs.sea, workspace.sweep, workspace.resistance);
     for (std::size_t h = 0; h < out.num_headings; ++h) {
       out.cells[v][h] = judge_cell(inputs, h * directions_per_heading, out.speeds[v], workspace);
@@ -169,7 +170,7 @@ Status sweep_member(const GridInputs& inputs, std::size_t member, GridWorkspace&
   }
   const auto bit = static_cast<std::uint16_t>(1U << member);
   const std::size_t directions_per_heading = kNumDirections / inputs.num_headings;
-  for_each_speed(inputs, needs_of_member(inputs), workspace, [&](std::size_t v) {
+  for_each_speed(inputs, needs_of_member(inputs), false, workspace, [&](std::size_t v) {
     const double speed = inputs.transfer.speeds[v];
     for (std::size_t h = 0; h < inputs.num_headings; ++h) {
       const Cell cell = judge_motions(inputs, h * directions_per_heading, speed, workspace);

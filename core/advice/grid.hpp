@@ -18,6 +18,7 @@
 #include "core/advice/verdict.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
+#include "core/hazard/zones.hpp"
 #include "core/response/heading_moments.hpp"
 #include "core/response/mean_added_resistance.hpp"
 #include "core/response/watch.hpp"
@@ -38,9 +39,11 @@ struct GridInputs {
   double min_steerage_speed = 0.0;          // m/s
   std::uint32_t quality = 0;                // bits of the hull and its loading
   bool is_stabilised = false;               // stabilisers work
-  bool suppresses_low_encounter = false;    // LowEncounterRule::kPaper: loads forced to zero there
   RollShift roll_shift{};                   // of a member of an ensemble
-  bool wants_all_bandwidths = false;        // of every quantity in a response, not of the watched ones alone
+  // IMO zones, prepared for this sea (hazard/zones.hpp). Null, both or none: motions alone are judged.
+  const ZoneShip* zone_ship = nullptr;
+  const Zones* zones = nullptr;
+  bool wants_all_bandwidths = false;  // of every quantity in a response, not of the watched ones alone
 };
 
 /// Scratch of sweep_grid; its contents mean nothing between calls.
@@ -64,9 +67,8 @@ Status sweep_member(const GridInputs& inputs, std::size_t member, GridWorkspace&
 /// The part of the cells at steerage speed and above whose verdict is unknown; -1 when there is none.
 double unknown_share(const Grid& grid);
 
-/// What is known of a cell before its moments are. `low_encounter_share`: of the wave energy, where the
-/// method forces loads to zero there; else 0.
-CellCircumstances circumstances(const GridInputs& inputs, double speed, double low_encounter_share,
-                                const RollDampingInUse& damping);
+/// What is known of a cell before its moments are. `low_encounter_share`: of the wave energy.
+CellCircumstances circumstances(const GridInputs& inputs, Heading heading, double speed,
+                                double low_encounter_share, const RollDampingInUse& damping);
 
 }  // namespace quickstrip

@@ -141,17 +141,22 @@ void judge_criterion(const Criterion& criterion, std::size_t index, const Channe
   }
 }
 
-Verdict verdict_of(const Tally& tally, bool following_unwatched) {
-  if (tally.any_exceeded) {
+Verdict verdict_of(const Tally& tally, unsigned hazards) {
+  const bool in_zone = (hazards & kZoneBits) != 0;
+  if (tally.any_exceeded || (hazards & kSevereZoneBits) != 0) {
     return Verdict::kExceeded;
   }
-  if (following_unwatched) {
+  if (in_zone) {
+    return Verdict::kCaution;
+  }
+  if ((hazards & kHazardFollowingUnwatched) != 0) {
     return Verdict::kUnknown;
   }
   if (tally.any_caution) {
     return Verdict::kCaution;
   }
-  return tally.any_unwatched ? Verdict::kUnknown : Verdict::kGood;
+  const bool is_unknown = tally.any_unwatched || (hazards & kHazardZonesUnknown) != 0;
+  return is_unknown ? Verdict::kUnknown : Verdict::kGood;
 }
 
 /// The amplitude that the roll limit means: a limit on RMS allows a significant amplitude of twice that.
@@ -306,15 +311,17 @@ Cell judge(const Criteria& criteria, const CriteriaChannels& channels, const Wat
   if (!tally.all_finite) {
     return unknown_cell(circumstances);
   }
-  const bool following_unwatched = static_cast<double>(cell.low_encounter_share) > kLowEncounterLimit;
-  cell.verdict = verdict_of(tally, following_unwatched);
+  if (static_cast<double>(cell.low_encounter_share) > kLowEncounterLimit) {
+    cell.hazards |= kHazardFollowingUnwatched;
+  }
+  if (tally.any_exceeded || tally.any_caution) {
+    cell.hazards |= kHazardMotions;
+  }
+  cell.verdict = verdict_of(tally, cell.hazards);
   cell.margin = cell.governing == kNoCriterion ? 0.0F : static_cast<float>(tally.governing_margin);
   cell.next_margin_steps =
       static_cast<std::uint16_t>(tally.next_margin / static_cast<double>(kNextMarginStep));
   fill_columns(criteria, watch, moments, circumstances.speed, cell);
-  if (following_unwatched) {
-    cell.hazards |= kHazardFollowingUnwatched;
-  }
   if (static_cast<double>(cell.low_encounter_share) > kLowEncounterWorthSaying) {
     cell.quality |= kQualityLowEncounter;
   }

@@ -9,12 +9,20 @@
 // function, which cannot overshoot.
 //
 // Verdict, the first that holds:
-//   exceeded  any watched value is over its limit;
-//   unknown   components of low encounter frequency carry more than a fifth of a watched variance (of the
-//             wave energy, where the method forces their loads to zero and the variance cannot show it);
+//   exceeded  any watched value is over its limit, or an IMO zone is met with its warning (kSevereZoneBits);
+//   caution   an IMO zone is met (kZoneBits), whatever linear motions say;
+//   unknown   components of low encounter frequency carry more than a fifth of the wave energy or of a
+//   watched
+//             variance: linear motions say nothing there. Of the waves, not of the responses alone: what
+//             nearly stands still beside the ship makes small accelerations and no relative motion, so it
+//             never shows in a watched variance, and yet it broaches ships;
 //   caution   any watched value is over caution_fraction x limit;
-//   unknown   any criterion is not watched, or there is none: no cell is good without it;
-//   good      otherwise.
+//   unknown   any criterion is not watched, or there is none: no cell is good without it; or waves come from
+//             abaft the beam, and a zone could not be evaluated (kHazardZonesUnknown);
+//   good      otherwise. So no following sea is good on linear motion alone: there the zones have been looked
+//             at, for a period and a stability in waves that are known, and the waves pass her fast enough.
+// Zone only, motion only and both are told apart by kZoneBits and kHazardMotions; governing criterion and
+// margin are always those of the motions.
 #pragma once
 
 #include <array>
@@ -34,7 +42,8 @@ namespace quickstrip {
 
 inline constexpr std::uint8_t kNoChannel = 255;
 
-/// Share of a watched variance below the encounter-frequency floor above which linear motions say nothing.
+/// Share of the wave energy or of a watched variance below the encounter-frequency floor above which linear
+/// motions say nothing.
 inline constexpr double kLowEncounterLimit = 0.2;
 
 /// Where each criterion finds its channel, and the channels that the grid needs.
@@ -67,7 +76,7 @@ struct CellCircumstances {
   double speed = 0.0;  // m/s
   std::uint32_t quality = 0;
   std::uint16_t hazards = 0;
-  double low_encounter_share = 0.0;  // of the wave energy, where loads are forced to zero there; else 0
+  double low_encounter_share = 0.0;  // of the wave energy
   double roll_damping_ratio = 0.0;
   double roll_damping_residual = 0.0;
 };

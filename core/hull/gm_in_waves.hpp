@@ -3,7 +3,7 @@
 //
 // The hull floats quasi-statically on the frozen wave zeta(x) = H/2 cos(2 pi (x - x_crest) / L): sinkage and
 // trim keep displacement and the x of the centre of buoyancy. Pressure is hydrostatic below the local surface
-// (no Smith effect), as in [MSC1627] and the Grim effective wave (core/hazard/effective_wave.hpp). Then
+// (no Smith effect), as in [IMO2020] and the Grim effective wave (core/hazard/effective_wave.hpp). Then
 //   GM = (int 2/3 y^3 dx + int int z dA dx) / volume - KG,
 // the stiffness of small roll about the centre plane. Only its change against still water is kept: that does
 // not depend on KG, so it holds for any GM at these draughts. Left out: the lever (KG - KB) sin(trim) in the

@@ -122,15 +122,31 @@ bool is_symmetric(const Channel& channel) {
   return !feels_roll(channel) || !(has_motion(channel.form, false) || channel.form.wave != 0.0);
 }
 
+namespace {
+
+bool is_slow(double omega, double omega_e, double floor) {
+  return std::fabs(omega_e) < std::max(floor, kSlowEncounter * omega);
+}
+
+}  // namespace
+
+void list_slow_waves(const TransferFunctions& transfer, const Encounters& encounters, NodeValues& out) {
+  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+    out[f] = is_slow(transfer.omega[f], encounters.frequency[f], transfer.encounter_floor[f]) ? 1.0 : 0.0;
+  }
+}
+
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
                      Encounters& out) {
   out.has_low = false;
+  out.has_slow = false;
   const double slope = transfer.speeds[speed] * std::cos(relative_direction(solved_m).radians);
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
     out.frequency[f] = transfer.omega[f] - transfer.wave_number[f] * slope;
     const bool is_low = std::fabs(out.frequency[f]) < transfer.encounter_floor[f];
     out.low[f] = is_low ? 1.0 : 0.0;
     out.has_low = out.has_low || is_low;
+    out.has_slow = out.has_slow || is_slow(transfer.omega[f], out.frequency[f], transfer.encounter_floor[f]);
   }
   const RollPeak& peak = transfer.peak[speed][solved_m];
   for (std::size_t p = 0; p < peak.num_points; ++p) {

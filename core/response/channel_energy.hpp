@@ -42,9 +42,19 @@ struct Encounters {
   NodeValues low{};         // 1 below the floor, else 0
   PointValues at_points{};  // omega_e at the points of the roll peak
   bool has_low = false;
+  bool has_slow = false;  // any that list_slow_waves() marks
 };
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
                      Encounters& out);
+
+/// Waves that linear motions say nothing about: they are met below the floor, or more slowly than a third of
+/// their own frequency, TE > 3 TW. There the ship runs along with the wave, surges and yaws on it, and what
+/// is left of the encounter shows in no variance; MSC.1/Circ.1228's zone of high waves ends there too
+/// [IMO2007].
+inline constexpr double kSlowEncounter = 1.0 / 3.0;
+
+/// 1 where the wave is slow, else 0, by frequency.
+void list_slow_waves(const TransferFunctions& transfer, const Encounters& encounters, NodeValues& out);
 
 /// The incident wave at a position on the centre line, by frequency, times e^{i omega_e t}.
 struct IncidentWave {

@@ -15,10 +15,11 @@ using Integrals = std::array<double, kBandWidth>;
 
 void list_values_at(const SweepSubject& subject, std::size_t m, const SweepWorkspace& work,
                     ChannelValues& values) {
+  const std::size_t solved_m = solved_direction(m);
   if (subject.channel == nullptr) {
+    list_slow_waves(subject.transfer, work.encounters[solved_m], values.nodes);
     return;
   }
-  const std::size_t solved_m = solved_direction(m);
   const auto& waves = work.wave[subject.wave];
   const bool is_ahead = solved_m > kHalf / 2;
   const IncidentWave* wave = &waves[is_ahead ? kHalf - solved_m : solved_m];
@@ -97,7 +98,6 @@ void read_headings(const SweepWorkspace& work, std::size_t column, double scale,
 void integrate(const SweepSubject& subject, SweepWorkspace& work) {
   ChannelValues values;
   ChannelValues values_of_other;
-  values.nodes.fill(1.0);
   Integrals other{};
   for (std::size_t m = 0; m <= kHalf; ++m) {
     const bool has_other = subject.has_sides() && m > 0 && m < kHalf;

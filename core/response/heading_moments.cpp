@@ -147,10 +147,12 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
                           SweepWorkspace& work, HeadingMoments& out) {
   const auto omega = std::span(transfer.omega).first(transfer.num_frequencies);
   bool has_low = false;
+  bool has_slow = false;
   for (std::size_t m = 0; m <= kHalf; ++m) {
     list_encounters(transfer, speed, m, work.encounters[m]);
     list_peak_shapes(transfer.peak[speed][m], omega, work.shapes[m]);
     has_low = has_low || work.encounters[m].has_low;
+    has_slow = has_slow || work.encounters[m].has_slow;
   }
   const Sweep sweep{transfer, speed, watch, needs, sea, has_low};
   const RollDampingLevels& levels = transfer.roll_update[speed].levels;
@@ -176,12 +178,12 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
       list_channel(sweep, c, 0, wants_second, work, out.channel[c]);
     }
   }
-  out.low_encounter_energy.fill(0.0);
-  if (options.counts_wave_energy && has_low) {
+  out.slow_wave_energy.fill(0.0);
+  if (options.counts_slow_waves && has_slow) {
     SweepSubject waves{transfer, speed, nullptr, 0, sea, 0, {}};
-    want(Moment::kLowEncounter, true, waves);
+    want(Moment::kZeroth, true, waves);
     integrate(waves, work);
-    convolve(waves, 0, work, out.low_encounter_energy);
+    convolve(waves, 0, work, out.slow_wave_energy);
   }
 }
 

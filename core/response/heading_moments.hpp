@@ -53,7 +53,7 @@ struct HeadingDamping {
 struct HeadingMoments {
   std::array<ChannelMoments, kMaxChannels> channel{};
   HeadingDamping roll_damping{};
-  ByHeading low_encounter_energy{};  // of the waves themselves [m2]
+  ByHeading slow_wave_energy{};  // of the waves that list_slow_waves() marks [m2]
 };
 
 /// Scratch; what does not depend on speed is filled by prepare().
@@ -86,9 +86,9 @@ void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const 
                    SweepWorkspace& work);
 
 struct SweepOptions {
-  bool counts_wave_energy = false;  // low_encounter_energy too
-  bool is_stabilised = false;       // stabilisers work
-  RollShift shift{};                // needs kEnsembleMembers > 0, unless it is none
+  bool counts_slow_waves = true;  // slow_wave_energy too
+  bool is_stabilised = false;     // stabilisers work
+  RollShift shift{};              // needs kEnsembleMembers > 0, unless it is none
 };
 
 /// Fills what is needed; the rest keeps what it was.

@@ -179,9 +179,9 @@ double at_least_zero(double value) {
   return value < 0.0 ? 0.0 : value;  // a NaN stays one
 }
 
-/// The wave energy at one solved speed below the floor, and all of it.
+/// The energy of slow waves at one solved speed, and of all waves.
 struct EnergyShare {
-  double low = 0.0;
+  double slow = 0.0;
   double all = 0.0;
 };
 
@@ -192,11 +192,12 @@ EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, st
   const PeakShapes shapes;  // the waves themselves have no peak
   BandFactors integrals{};
   ChannelValues values;
-  values.nodes.fill(1.0);
-  integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kLowEncounter, values, integrals);
-  const double low = of_all_systems(sea, energy, integrals);
+  list_slow_waves(transfer, encounters, values.nodes);
   integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kZeroth, values, integrals);
-  return {low, of_all_systems(sea, energy, integrals)};
+  const double slow = of_all_systems(sea, energy, integrals);
+  values.nodes.fill(1.0);
+  integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kZeroth, values, integrals);
+  return {slow, of_all_systems(sea, energy, integrals)};
 }
 
 }  // namespace
@@ -277,8 +278,8 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
   return damping;
 }
 
-Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea,
-                                        Heading heading, double speed) {
+Result<double> slow_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea, Heading heading,
+                               double speed) {
   if (!std::isfinite(heading.radians)) {
     return Error::kNotFinite;
   }
@@ -286,7 +287,7 @@ Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const
   if (!bracket) {
     return bracket.error();
   }
-  double low = 0.0;
+  double slow = 0.0;
   double all = 0.0;
   RelativeEnergy energy;
   for (std::size_t m = 0; m < kNumDirections; ++m) {
@@ -296,10 +297,10 @@ Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const
     }
     const EnergyShare lower = wave_energy(transfer, bracket->lower, m, sea, energy);
     const EnergyShare upper = wave_energy(transfer, bracket->upper, m, sea, energy);
-    low += (1.0 - bracket->part) * lower.low + bracket->part * upper.low;
+    slow += (1.0 - bracket->part) * lower.slow + bracket->part * upper.slow;
     all += lower.all;
   }
-  return all > 0.0 ? low / all : 0.0;
+  return all > 0.0 ? slow / all : 0.0;
 }
 
 }  // namespace quickstrip

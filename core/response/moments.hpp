@@ -56,11 +56,10 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
                                           const ChannelSet* with_fourth = nullptr,
                                           bool is_stabilised = false);
 
-/// The share of the wave energy itself that meets the ship below the encounter-frequency floor, in [0, 1].
-/// Needed where loads are forced to zero there ([Journee1992] §2): the variances then do not show what they
-/// lack. Errors: kSpeedOutOfGrid, kNotFinite.
-Result<double> low_encounter_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea,
-                                        Heading heading, double speed);
+/// The share of the wave energy itself in waves that list_slow_waves() marks (channel_energy.hpp), in [0, 1].
+/// Errors: kSpeedOutOfGrid, kNotFinite.
+Result<double> slow_wave_share(const TransferFunctions& transfer, const SeaEnergy& sea, Heading heading,
+                               double speed);
 
 /// The solved speeds on either side, and how far a speed lies towards the upper one.
 struct SpeedBracket {

@@ -12,6 +12,7 @@
 #include "core/advisor.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
+#include "msgs/convert/hazard_text.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
@@ -74,7 +75,20 @@ std::string header(const Criteria& criteria) {
   for (const Criterion& criterion : criteria) {
     line += "," + column_name(criterion);
   }
-  return line + ",added_resistance_n,added_resistance_empirical_n,roll_damping_ratio,roll_damping_residual";
+  return line +
+         ",added_resistance_n,added_resistance_empirical_n,roll_damping_ratio,roll_damping_residual,hazards";
+}
+
+// "surf_riding;motions", none: empty.
+std::string hazard_tokens(std::uint16_t hazards) {
+  std::string out;
+  for (const HazardWords& words : kHazardWords) {
+    if ((hazards & words.bit) != 0) {
+      out += out.empty() ? "" : ";";
+      out += words.token;
+    }
+  }
+  return out;
 }
 
 std::optional<double> resistance(float mean) {
@@ -96,7 +110,8 @@ void add_rows(const StepOutput& output, const Criteria& criteria, Csv& csv) {
       }
       csv.add(resistance(cell.added_resistance)).add(resistance(cell.added_resistance_empirical));
       csv.add(static_cast<double>(cell.roll_damping_ratio))
-          .add(static_cast<double>(cell.roll_damping_residual));
+          .add(static_cast<double>(cell.roll_damping_residual))
+          .add(hazard_tokens(cell.hazards));
       csv.end_row();
     }
   }
@@ -134,6 +149,8 @@ void run(const Options& options) {
     }
     if (i + 1 == options.repeat) {
       add_rows(output, *criteria, csv);
+      fmt::print(stderr, "unknown: {:.1f} % of the cells at steerage speed and above\n",
+                 100.0 * output.unknown_share);
     }
   }
   print_result(csv.text());

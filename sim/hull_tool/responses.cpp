@@ -148,7 +148,6 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
   GridInputs inputs{s.transfer, s.watch, *criteria, channels, s.sea};
   inputs.lpp = hull.lpp;
   inputs.quality = ship.quality;
-  inputs.suppresses_low_encounter = ship.loaded->method.low_encounter == LowEncounterRule::kPaper;
   inputs.wants_all_bandwidths = true;
   for (const double mu_deg : options.mus_deg) {
     // The ship heads north: mu = heading - from + 180 degrees.

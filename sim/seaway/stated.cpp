@@ -40,7 +40,6 @@ Result<Stated> stated(const Hull& hull, const LoadedHull& loaded, const Watch& w
   GridInputs inputs{s->transfer, watch, *criteria, channels, s->energy};
   inputs.lpp = hull.lpp;
   inputs.quality = quality;
-  inputs.suppresses_low_encounter = loaded.method.low_encounter == LowEncounterRule::kPaper;
   if (const Status status = respond(inputs, heading, speed, s->cell); !status) {
     return status.error();
   }

@@ -34,8 +34,7 @@ class Scene {
             .sea = sea,
             .num_headings = num_headings,
             .lpp = hull.lpp,
-            .min_steerage_speed = hull.min_steerage_speed,
-            .suppresses_low_encounter = suppresses_low_encounter};
+            .min_steerage_speed = hull.min_steerage_speed};
   }
   void sweep() { ASSERT_TRUE(sweep_grid(inputs(), workspace, grid).ok()); }
 
@@ -46,7 +45,6 @@ class Scene {
   CriteriaChannels channels;
   SeaEnergy sea;
   std::size_t num_headings = kMaxHeadings;
-  bool suppresses_low_encounter = false;
   GridWorkspace workspace;
   Grid grid;
   CellResponse response;
