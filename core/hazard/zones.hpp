@@ -7,7 +7,7 @@
 //   zone_bits()          a cell: bits of all systems
 //   list_zone_findings() the same with the system, the encounter periods and the end of the roll period band
 //
-// Physics: exact g V / omega. A system counts when it is higher than 0.005 L, and its longest wave along the
+// Physics: exact g V / omega. A system counts when it is higher than 0.01 L, and its longest wave along the
 // hull is longer than 0.25 L (zone_parameters.hpp: ours). Directions are the mean ones of the systems, as the
 // circulars draw them; spreading is the business of the motions.
 // Warnings: surf-riding with long and high waves; successive waves when measured motion shows them;

@@ -113,13 +113,13 @@ TEST_F(ZonesTest, SystemsAreLookedAtOneByOne) {
 }
 
 TEST_F(ZonesTest, WavesTooLowOrTooShortForTheShipAreNoSystem) {
-  sea({{0.74, 12.0, 0.0}});  // below 0.005 L
+  sea({{1.49, 12.0, 0.0}});  // below 0.01 L
   EXPECT_EQ(bits(180.0, 24.0), 0u);
-  sea({{0.76, 12.0, 0.0}});
+  sea({{1.51, 12.0, 0.0}});
   EXPECT_NE(bits(180.0, 24.0), 0u);
-  sea({{1.0, 4.8, 0.0}});  // 36 m, below 0.25 L
+  sea({{1.6, 4.8, 0.0}});  // 36 m, below 0.25 L
   EXPECT_EQ(bits(180.0, 24.0), 0u);
-  sea({{1.0, 5.1, 0.0}});
+  sea({{1.6, 5.1, 0.0}});
   EXPECT_NE(bits(180.0, 24.0), 0u);
 }
 
