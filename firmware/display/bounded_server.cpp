@@ -18,6 +18,7 @@ namespace quickstrip {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kLook{200};  // how long a stop may take
 
 bool wait_for(socket_t sock, short events, Clock::time_point until) {
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
@@ -42,8 +43,14 @@ class DeadlineStream : public httplib::Stream {
  public:
   explicit DeadlineStream(socket_t sock) : sock_(sock) {}
 
-  [[nodiscard]] bool wait_for_request() {
-    const bool has_come = wait_for(sock_, POLLIN, Clock::now() + kKeepAlive);
+  /// False when none comes within kKeepAlive, or `goes_on` has become false.
+  template <typename GoesOn>
+  [[nodiscard]] bool wait_for_request(const GoesOn& goes_on) {
+    const Clock::time_point until = Clock::now() + kKeepAlive;
+    bool has_come = next_ < filled_;  // of a request that came with the one before
+    while (!has_come && goes_on() && Clock::now() < until) {
+      has_come = wait_for(sock_, POLLIN, Clock::now() + kLook);
+    }
     request_until_ = Clock::now() + kRequestDeadline;
     is_behind_ = false;
     return has_come;
@@ -171,11 +178,15 @@ BoundedServer::BoundedServer() {
   });
 }
 
+void BoundedServer::deepen_backlog() {
+  ::listen(svr_sock_, static_cast<int>(kMaxConnections));
+}
+
 bool BoundedServer::process_and_close_socket(socket_t sock) {
   bool is_well = !is_refused;
   const auto stream = std::make_unique<DeadlineStream>(sock);
-  for (int left = kRequestsPerConnection; is_well && left > 0 && is_running(); --left) {
-    if (!stream->wait_for_request()) {
+  for (int left = kRequestsPerConnection; is_well && left > 0 && svr_sock_ != INVALID_SOCKET; --left) {
+    if (!stream->wait_for_request([this] { return svr_sock_ != INVALID_SOCKET; })) {
       break;
     }
     bool is_closed = false;

@@ -27,6 +27,9 @@ class BoundedServer : public httplib::Server {
  public:
   BoundedServer();
 
+  /// After binding: cpp-httplib's five waiting connections are fewer than one page's files.
+  void deepen_backlog();
+
  private:
   bool process_and_close_socket(socket_t sock) override;
 };

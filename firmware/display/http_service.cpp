@@ -161,6 +161,7 @@ bool HttpService::start(const std::string& address, int port) {
       return false;
     }
   }
+  server_.deepen_backlog();
   thread_ = std::thread([this] { server_.listen_after_bind(); });
   while (!server_.is_running()) {
     std::this_thread::yield();

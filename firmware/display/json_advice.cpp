@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "firmware/display/json_parts.hpp"
+#include "msgs/convert/hazard_text.hpp"
 #include "msgs/convert/quality_text.hpp"
 #include "msgs/convert/refusal.hpp"
 
@@ -42,11 +43,11 @@ json known(double value) {
 
 json hazard_words(std::int32_t hazards) {
   json words = json::array();
-  if ((hazards & kHazardNoSteerage) != 0) {
-    words.push_back("Below steerage speed");
-  }
-  if ((hazards & kHazardFollowingUnwatched) != 0) {
-    words.push_back("Following sea: slow motions are not fully covered");
+  for (const HazardWords& one : kHazardWords) {
+    if ((static_cast<std::uint32_t>(hazards) & static_cast<std::uint32_t>(one.bit)) != 0U &&
+        *one.bridge != '\0') {
+      words.push_back(one.bridge);
+    }
   }
   return words;
 }

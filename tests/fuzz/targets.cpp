@@ -24,6 +24,7 @@ std::span<const Target> targets() {
       Target{"time", run_time, no_seeds, 500},
       Target{"nmea", run_nmea, nmea_seeds, 3000},
       Target{"picture", run_picture, no_seeds, 200},
+      Target{"entry", run_entry, entry_seeds, 3000},
       Target{"session", run_session, session_seeds, 60},
   };
   return kTargets;

@@ -61,6 +61,10 @@ std::vector<Bytes> nmea_seeds();
 /// Advice, grid and limits read back and drawn.
 void run_picture(std::span<const std::uint8_t> bytes);
 
+/// What a browser posts to the display: every form, without a hull and with one.
+void run_entry(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> entry_seeds();
+
 /// A whole session: messages, times and cycles in any order.
 void run_session(std::span<const std::uint8_t> bytes);
 std::vector<Bytes> session_seeds();

@@ -5,7 +5,7 @@ import { svg } from './dom.js';
 export function hatchDefinitions() {
   const pattern = (id, size, ...children) =>
     svg('pattern', { id, width: size, height: size, patternUnits: 'userSpaceOnUse' }, ...children);
-  const stroke = (d, name) => svg('path', { d, fill: 'none', style: `stroke:var(--${name})`, 'stroke-width': 1.6 });
+  const stroke = (d, name) => svg('path', { d, fill: 'none', style: `stroke:var(--${name})`, 'stroke-width': 1.4, opacity: 0.75 });
   const mark = svg('text', { x: 2, y: 10, 'font-size': 11, 'font-weight': 'bold', style: 'fill:var(--ink-unknown)' });
   mark.textContent = '?';
   return svg('defs', {},

@@ -3,9 +3,9 @@ import { $, svg, setText } from './dom.js';
 import { pointAt, segment, speedScale } from './geometry.js';
 import { hatchDefinitions, fillName } from './hatches.js';
 import { drawWaves } from './waves.js';
-import { causesOf } from './causes.js';
+import { causesOf, zonePatches } from './causes.js';
 
-export const RADIUS = 248;
+export const RADIUS = 262;
 const view = { grid: null, state: null, headUp: false, selected: null, cells: [], scale: null, shape: '' };
 const layers = {};
 
@@ -13,13 +13,14 @@ export function initPolar(onChoose) {
   const root = $('polar');
   root.append(hatchDefinitions());
   layers.rose = svg('g', { id: 'rose' });
-  for (const name of ['cells', 'zones', 'rings', 'ship']) {
+  for (const name of ['cells', 'zones', 'rings']) {
     layers[name] = svg('g', { id: `layer-${name}` });
     layers.rose.append(layers[name]);
   }
+  layers.ship = svg('g', { id: 'layer-ship' }); // turned like the rose, but above the labels
   layers.labels = svg('g', { id: 'layer-labels' });
   layers.waves = svg('g', { id: 'layer-waves' });
-  root.append(layers.rose, layers.labels, layers.waves);
+  root.append(layers.rose, layers.labels, layers.ship, layers.waves);
   layers.cells.addEventListener('click', (event) => {
     const cell = event.target.closest('[data-s]');
     if (cell) onChoose(Number(cell.dataset.s), Number(cell.dataset.h));
@@ -39,7 +40,7 @@ export function topBearing() {
 
 function turn() {
   const top = topBearing();
-  layers.rose.setAttribute('transform', `rotate(${-top})`);
+  for (const layer of [layers.rose, layers.ship]) layer.setAttribute('transform', `rotate(${-top})`);
   $('orientation').replaceChildren(view.headUp ? 'Head' : 'North', document.createElement('br'), 'up');
   drawLabels(top);
   drawWaves(layers.waves, view.state?.sea?.systems ?? [], top);
@@ -67,7 +68,29 @@ function drawLabels(top) {
       }
     }
   }
-  layers.labels.replaceChildren(...labels);
+  layers.labels.replaceChildren(...labels, ...(view.grid && view.scale ? zoneNames(top) : []));
+}
+
+// The name of a zone in the middle of its patch, upright, one beside the other.
+function zoneNames(top) {
+  const { num_headings: headings, speed_kn: knots } = view.grid;
+  const placed = [];
+  return zonePatches(view.grid).map(({ name, cells }) => {
+    let x = 0;
+    let y = 0;
+    for (const i of cells) {
+      const [px, py] = pointAt((360 * (i % headings)) / headings - top, view.scale.at(knots[Math.floor(i / headings)]));
+      x += px / cells.length;
+      y += py / cells.length;
+    }
+    const words = svg('text', { class: 'zone-name', x: Math.max(-190, Math.min(190, x)), y: y + 6, 'text-anchor': 'middle', 'font-size': 17, 'font-weight': 'bold',
+      fill: 'var(--ink-zone)', stroke: 'var(--panel)', 'stroke-width': 5, 'paint-order': 'stroke', 'pointer-events': 'none' });
+    while (placed.some((p) => Math.abs(p.x - x) < 140 && Math.abs(p.y - y) < 19)) y += 19;
+    words.setAttribute('y', y + 6);
+    placed.push({ x, y });
+    words.textContent = name;
+    return words;
+  });
 }
 
 // The elements are made once for a shape of grid, then only their classes change.
@@ -119,9 +142,9 @@ export function drawGrid(grid) {
   }
   if (view.shape !== `${grid.num_headings}:${grid.speed_kn.join()}`) {
     build(grid);
-    drawLabels(topBearing());
   }
   view.cells.forEach((cell, i) => paint(cell, grid, i));
+  drawLabels(topBearing());
   drawShip();
 }
 

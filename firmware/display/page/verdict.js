@@ -31,9 +31,9 @@ export function drawVerdict(state) {
   setText($('own-speed'), ship.speed_kn === null ? '--.-' : ship.speed_kn.toFixed(1));
   setText($('own-caption'), advice.speed_kind === 2 ? 'Heading and speed over ground' : 'Heading and speed');
   const margin = has ? advice.margin : null;
-  setText($('margin-caption'), margin !== null && margin < 1 ? 'Waves are too high by' : 'Waves may grow');
-  setText($('margin-big'), words.marginBig(margin).replace('−', ''));
-  setText($('margin-words'), has ? words.marginWords(margin) : advice.no_advice_text);
+  setText($('margin-caption'), words.marginCaption(margin));
+  setText($('margin-big'), words.marginBig(margin));
+  setText($('no-advice'), has ? '' : advice.no_advice_text);
   setText($('governing'), has ? governing(state) : '');
   setText($('expected'), has ? expected(state) : '');
   setText($('members'), has ? members(state.outlook) : '');
@@ -48,7 +48,7 @@ function governing(state) {
   if (!criterion || advice.governing_value === null) return name;
   const from = state.sea.systems[advice.governing_system];
   const by = from && state.sea.systems.length > 1 ? `, most by the ${words.systemName(from.kind)} from ${words.degrees3(from.dir_from_deg)}` : '';
-  return `${name}: ${words.value(advice.governing_value, criterion.unit)}${words.statistic(criterion.statistic)}, limit ${words.value(advice.governing_limit, criterion.unit)}${by}`;
+  return `${words.capital(name)}: ${words.value(advice.governing_value, criterion.unit)}${words.statistic(criterion.statistic)}, limit ${words.value(advice.governing_limit, criterion.unit)}${by}`;
 }
 
 // The largest of the next half hour where the advisor tells it; else RMS, and it says so.

@@ -3,8 +3,8 @@ import { svg } from './dom.js';
 import { pointAt } from './geometry.js';
 import { degrees3, one } from './words.js';
 
-const OUTER = 322;
-const INNER = 270;
+const OUTER = 340;
+const INNER = 290;
 
 export function drawWaves(layer, systems, top) {
   layer.replaceChildren(...systems.map((system) => arrow(system, top)), ...labels(systems, top));
@@ -22,11 +22,11 @@ function arrow(system, top) {
 function labels(systems, top) {
   const placed = [];
   return systems.map((system) => {
-    let [x, y] = pointAt(system.dir_from_deg - top, 296);
+    let [x, y] = pointAt(system.dir_from_deg - top, 316);
     const side = x > 0 ? -1 : 1; // into the picture's corner, away from the edge
-    x = Math.max(-322, Math.min(322, x));
+    x = Math.max(-326, Math.min(326, x));
     const above = y < 0;
-    y = Math.max(-312, Math.min(318, y + (above ? -34 : 44)));
+    y = Math.max(-322, Math.min(318, y + (above ? -36 : 34)));
     while (placed.some((p) => Math.abs(p.y - y) < 42 && Math.abs(p.x - x) < 150)) y += above ? 44 : -44;
     placed.push({ x, y });
     const anchor = Math.abs(x) < 90 ? 'middle' : side > 0 ? 'start' : 'end';

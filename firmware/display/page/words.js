@@ -20,18 +20,18 @@ export const one = (x) => (x === null || x === undefined ? '–' : x.toFixed(1))
 
 export function percent(p) {
   const x = 100 * p;
-  return x >= 10 ? `${x.toFixed(0)} %` : x >= 0.1 || x === 0 ? `${x.toFixed(1)} %` : 'below 0.1 %';
+  return x >= 10 ? `${x.toFixed(0)}\u00a0%` : x >= 0.1 || x === 0 ? `${x.toFixed(1)}\u00a0%` : 'below 0.1\u00a0%';
 }
 
 // UNIT_...: 0 m, 1 degrees, 2 m/s2, 3 probability, 4 per hour
 export function value(x, unit) {
   if (x === null || x === undefined) return 'not computed';
   switch (unit) {
-    case 0: return `${x.toFixed(1)} m`;
+    case 0: return `${x.toFixed(1)}\u00a0m`;
     case 1: return `${x.toFixed(1)}°`;
-    case 2: return `${(x / G).toFixed(3)} g`;
+    case 2: return `${(x / G).toFixed(3)}\u00a0g`;
     case 3: return percent(x);
-    case 4: return `${x >= 10 ? x.toFixed(0) : x.toFixed(1)} an hour`;
+    case 4: return `${x >= 10 ? x.toFixed(0) : x.toFixed(1)}\u00a0an\u00a0hour`;
     default: return x.toPrecision(3);
   }
 }
@@ -40,10 +40,17 @@ export function value(x, unit) {
 export const statistic = (s) => [' (RMS)', ' (significant)', ' of waves met', ''][s] ?? '';
 
 // Margin: the factor by which wave height may grow before a limit is reached.
+export function marginCaption(m) {
+  if (m === null || m === undefined) return 'Distance from the limits';
+  if (m >= 3) return 'Limit reached if waves grow to';
+  return m >= 1 ? 'Limit reached if waves grow' : 'Waves must fall by';
+}
+
 export function marginBig(m) {
-  if (m === null || m === undefined) return '–';
-  if (m >= 3) return '×3+';
-  return m >= 1 ? `+${Math.floor((m - 1) * 100)} %` : `−${Math.ceil((1 - m) * 100)} %`;
+  if (m === null || m === undefined) return '?';
+  if (m >= 9.95) return '10 ×+';
+  if (m >= 3) return `${m.toFixed(1)} ×`;
+  return m >= 1 ? `${Math.floor((m - 1) * 100)} %` : `${Math.ceil((1 - m) * 100)} %`;
 }
 
 export function marginWords(m) {
@@ -69,3 +76,5 @@ export function clock(utimeMs, offsetMin = 0) {
 export function systemWords(s) {
   return `${systemName(s.kind)} ${one(s.hs_m)} m, ${one(s.period_s)} s ${periodName(s.period_kind)} period, from ${degrees3(s.dir_from_deg)}`;
 }
+
+export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
