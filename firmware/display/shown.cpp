@@ -60,16 +60,26 @@ void take_alerts(const Mail& mail, Shown::Clock::time_point now, Shown& shown) {
   }
 }
 
+/// As the advisor keeps its inputs: an earlier measurement gives way (a radar's beside an entry that is
+/// repeated), unless what is held lies in the future, for then the clock was set back or a log begun again.
+void keep_newer(ShownSea sea, Shown& shown, ShownSea& kept) {
+  constexpr std::int64_t kTolerance_us = 5'000'000;
+  if (sea.hs_m < 0.0) {
+    ++shown.num_refused;
+    return;
+  }
+  const bool is_held_ahead = shown.advice && kept.utime > shown.advice->utime + kTolerance_us;
+  if (sea.utime >= kept.utime || is_held_ahead) {
+    kept = std::move(sea);
+  }
+}
+
 void take_sea(const Mail& mail, Shown& shown) {
   if (mail.sea_state) {
-    ShownSea sea = shown_sea(*mail.sea_state);
-    sea.hs_m < 0.0 ? static_cast<void>(++shown.num_refused)
-                   : static_cast<void>(shown.sea_of_state = std::move(sea));
+    keep_newer(shown_sea(*mail.sea_state), shown, shown.sea_of_state);
   }
   if (mail.wave_spectrum && mail.wave_spectrum->utime != shown.sea_of_spectrum.utime) {
-    ShownSea sea = shown_sea(*mail.wave_spectrum);
-    sea.hs_m < 0.0 ? static_cast<void>(++shown.num_refused)
-                   : static_cast<void>(shown.sea_of_spectrum = std::move(sea));
+    keep_newer(shown_sea(*mail.wave_spectrum), shown, shown.sea_of_spectrum);
   }
 }
 

@@ -86,6 +86,16 @@ TEST(Display, WhatIsOutOfRangeIsCountedAndDoesNotReplaceWhatIsShown) {
   EXPECT_EQ(fed.frame(Topic::kBeat)["num_refused"], 4);
 }
 
+TEST(Display, TheNewerMeasurementOfTheSeaIsShownWhicheverComesLast) {
+  Fed fed;
+  fed.feed_all();
+  fed.frame(Topic::kState);
+  fed.display.mailbox().put(test::sea_from(kNow - 600'000'000, 30.0));  // repeated, but older
+  EXPECT_EQ(fed.frame(Topic::kState)["sea"]["systems"][0]["dir_from_deg"], 240.0);
+  fed.display.mailbox().put(test::sea_from(kNow + 1, 30.0));
+  EXPECT_EQ(fed.frame(Topic::kState)["sea"]["systems"][0]["dir_from_deg"], 30.0);
+}
+
 TEST(Display, TextThatIsNoUtf8DoesNotBreakTheFrame) {
   Fed fed;
   advice_t advice = test::advice_at(kNow, 5);

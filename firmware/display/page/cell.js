@@ -83,7 +83,7 @@ function figures(cell) {
     const criterion = line.criterion !== null ? state?.criteria[line.criterion] : null;
     return el('tr', {}, el('td', {}, words.quantityName(line.quantity)), el('td', {}, line.place === 'G' ? 'centre of gravity' : line.place),
       el('td', {}, words.value(line.rms, line.unit)), el('td', {}, words.value(line.significant, line.unit)),
-      el('td', {}, line.tm02_s ? `${line.tm02_s.toFixed(1)} s` : ''), el('td', {}, line.probability === null ? '' : words.percent(line.probability)),
+      el('td', {}, line.tm02_s ? `${line.tm02_s.toFixed(1)} s` : ''), el('td', {}, line.probability === null ? '' : `${words.percent(line.probability)}${line.quantity === 12 ? ' of people' : ''}`),
       el('td', {}, line.per_hour === null ? '' : one(line.per_hour)),
       ...systems.map((_, i) => el('td', {}, line.shares[i] === null || line.shares[i] === undefined ? '' : `${Math.round(100 * line.shares[i])} %`)),
       el('td', {}, criterion ? `${words.value(criterion.limit, criterion.unit)}${words.statistic(criterion.statistic)}` : ''));

@@ -21,16 +21,21 @@ export function drawChanges(state, onChoose) {
   if (advice.none_is_good) panel.append(el('h3', {}, 'No course and speed keeps all limits. The least bad:'));
   if (advice.no_change_helps) panel.append(el('h3', {}, 'No change of course or speed helps.'));
   if (!advice.change_needed) panel.append(el('h3', {}, 'No change is needed.'));
-  state.changes.forEach((change, i) => panel.append(row(change, i, onChoose)));
+  state.changes.forEach((change, i) => panel.append(row(change, i, state.outlook?.num_members, onChoose)));
   if (advice.reasons) panel.append(el('p', { class: 'reasons' }, `Why: ${advice.reasons}`));
 }
 
-function row(change, i, onChoose) {
+function surely(exceeded, members) {
+  if (!members || exceeded === null || exceeded === undefined) return '';
+  return exceeded === 0 ? ` Kept in all ${members} cases within the uncertainty.` : ` In ${exceeded} of ${members} cases within the uncertainty above a limit.`;
+}
+
+function row(change, i, members, onChoose) {
   const mark = svg('svg', { viewBox: '-50 -50 100 100' });
   mark.append(...verdictMark(change.verdict));
   const kind = KIND[change.kind] ?? '';
   const turn = change.turn?.text;
-  const sure = change.members_exceeded !== null && change.members_exceeded !== undefined ? ` In ${change.members_exceeded} cases still above a limit.` : '';
+  const sure = surely(change.members_exceeded, members);
   const [what, ...rest] = change.text.split(': ');
   return el('div', { class: 'change clickable', onclick: () => onChoose(change.to_heading_deg, change.to_speed_kn), 'aria-label': `Change ${i + 1}, ${VERDICT[change.verdict]}` },
     mark, el('div', {}, el('b', {}, `${i + 1}  ${what}`), el('span', {}, `${kind ? `${kind}: ` : ''}${rest.join(': ')}.${sure}`), turn ? el('span', { class: 'turn' }, turn) : null));

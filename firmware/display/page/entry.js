@@ -3,7 +3,7 @@ import { $, el } from './dom.js';
 import { authorField, authorKept, choice, field, number, runEntry, showErrors } from './forms.js';
 import { post } from './post.js';
 
-const PERIODS = [['tp', 'peak (of a forecast)'], ['tm02', 'zero-crossing (counted by eye)'], ['tm01', 'mean']];
+const PERIODS = [['tp', 'peak (forecast)'], ['tm02', 'zero-crossing (by eye)'], ['tm01', 'mean']];
 const ROWS = [['wind_sea', 'Wind sea'], ['swell', 'Swell'], ['swell', 'Second swell']];
 
 function open(dialog, ...parts) {

@@ -51,6 +51,8 @@ function governing(state) {
   return `${words.capital(name)}: ${words.value(advice.governing_value, criterion.unit)}${words.statistic(criterion.statistic)}, limit ${words.value(advice.governing_limit, criterion.unit)}${by}`;
 }
 
+const EVENTS = [[9, 'slams'], [10, 'water on deck'], [11, 'propeller out']];
+
 // The largest of the next half hour where the advisor tells it; else RMS, and it says so.
 function expected(state) {
   const o = state.outlook;
@@ -58,6 +60,10 @@ function expected(state) {
   if (o && o.expected_max_roll_deg !== null) parts.push(`roll ${o.expected_max_roll_deg.toFixed(0)}°`);
   if (o && o.expected_max_pitch_deg !== null) parts.push(`pitch ${o.expected_max_pitch_deg.toFixed(0)}°`);
   if (o && o.expected_max_heave_m !== null) parts.push(`heave ${o.expected_max_heave_m.toFixed(1)} m`);
+  for (const [quantity, name] of EVENTS) {
+    const most = Math.max(...state.criteria.filter((c) => c.quantity === quantity && c.expected !== null).map((c) => c.expected));
+    if (most >= 1) parts.push(`${name} ${Math.round(most)} times`);
+  }
   if (parts.length > 0) return `Largest in the next ${words.duration(o.expect_s)}: ${parts.join(', ')}`;
   return state.advice.roll_rms_deg === null ? '' : `Roll ${state.advice.roll_rms_deg.toFixed(1)}° RMS (single rolls go well beyond)`;
 }

@@ -23,7 +23,7 @@ export function percent(p) {
   return x >= 10 ? `${x.toFixed(0)}\u00a0%` : x >= 0.1 || x === 0 ? `${x.toFixed(1)}\u00a0%` : 'below 0.1\u00a0%';
 }
 
-// UNIT_...: 0 m, 1 degrees, 2 m/s2, 3 probability, 4 per hour
+// UNIT_...: 0 m, 1 degrees, 2 m/s2, 3 probability, 4 per hour, 5 share of people, 6 per minute
 export function value(x, unit) {
   if (x === null || x === undefined) return 'not computed';
   switch (unit) {
@@ -32,11 +32,13 @@ export function value(x, unit) {
     case 2: return `${(x / G).toFixed(3)}\u00a0g`;
     case 3: return percent(x);
     case 4: return `${x >= 10 ? x.toFixed(0) : x.toFixed(1)}\u00a0an\u00a0hour`;
+    case 5: return `${percent(x)} of people sick`;
+    case 6: return `${x.toFixed(2)}\u00a0a\u00a0minute`;
     default: return x.toPrecision(3);
   }
 }
 
-// STATISTIC_...: 0 RMS, 1 significant, 2 probability, 3 per hour
+// STATISTIC_...: 0 RMS, 1 significant, 2 probability; the others are in the unit's words
 export const statistic = (s) => [' (RMS)', ' (significant)', ' of waves met', ''][s] ?? '';
 
 // Margin: the factor by which wave height may grow before a limit is reached.
