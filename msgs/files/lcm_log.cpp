@@ -8,7 +8,7 @@ namespace quickstrip {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
-constexpr std::size_t kHeaderBytes = 28;
+constexpr std::size_t kHeaderBytes = kLogHeaderBytes;
 constexpr std::uint32_t kMaxChannelBytes = 63;       // LCM_MAX_CHANNEL_NAME_LENGTH of lcm.h
 constexpr std::uint32_t kMaxDataBytes = 16'777'216;  // the longest message that LCM puts together again
 constexpr std::size_t kMaxWordedFaults = 100;
@@ -39,6 +39,34 @@ char* as_chars(std::uint8_t* bytes) {
 }  // namespace
 
 FileStatus LcmLogReader::open(const std::filesystem::path& path) {
+  return open(std::vector<std::filesystem::path>{path});
+}
+
+FileStatus LcmLogReader::open(const std::vector<std::filesystem::path>& paths) {
+  following_.assign(paths.rbegin(), paths.rend());
+  const std::filesystem::path first = following_.back();
+  following_.pop_back();
+  return open_one(first);
+}
+
+/// What cannot be opened is a fault, and passed over.
+bool LcmLogReader::open_following() {
+  while (!following_.empty()) {  // each turn takes one off
+    const std::filesystem::path path = following_.back();
+    following_.pop_back();
+    const FileStatus status = open_one(path);
+    if (status) {
+      return true;
+    }
+    ++num_faults_;
+    faults_.push_back({status.line()});
+  }
+  return false;
+}
+
+FileStatus LcmLogReader::open_one(const std::filesystem::path& path) {
+  stream_.close();
+  stream_.clear();
   name_ = path.string();
   std::error_code code;
   size_ = std::filesystem::file_size(path, code);
@@ -64,9 +92,12 @@ bool LcmLogReader::next(LogEvent& event) {
         ++num_events_;
         return true;
       case Outcome::kEnd:
-        return false;
+        if (!open_following()) {
+          return false;
+        }
+        break;
       case Outcome::kDamaged:
-        if (!find_sync()) {
+        if (!find_sync() && !open_following()) {
           return false;
         }
         break;
@@ -165,6 +196,22 @@ void LcmLogReader::go_to(std::uint64_t offset) {
   offset_ = offset;
 }
 
+std::array<std::uint8_t, kLogHeaderBytes> log_header(std::uint64_t number, std::int64_t utime,
+                                                     std::size_t channel_bytes, std::size_t data_bytes) {
+  std::array<std::uint8_t, kLogHeaderBytes> header{};
+  const std::span<std::uint8_t> bytes(header);
+  std::copy(kSync.begin(), kSync.end(), header.begin());
+  put_big_endian(number, bytes.subspan(4, 8));
+  put_big_endian(static_cast<std::uint64_t>(utime), bytes.subspan(12, 8));
+  put_big_endian(channel_bytes, bytes.subspan(20, 4));
+  put_big_endian(data_bytes, bytes.subspan(24, 4));
+  return header;
+}
+
+bool is_log_event(std::size_t channel_bytes, std::size_t data_bytes) {
+  return channel_bytes > 0 && channel_bytes <= kMaxChannelBytes && data_bytes <= kMaxDataBytes;
+}
+
 LcmLogWriter::~LcmLogWriter() {
   if (stream_.is_open()) {  // not finished: leave nothing
     stream_.close();
@@ -184,17 +231,11 @@ FileStatus LcmLogWriter::open(const std::filesystem::path& path) {
 
 FileStatus LcmLogWriter::append(std::int64_t utime, std::string_view channel,
                                 std::span<const std::uint8_t> data) {
-  if (channel.empty() || channel.size() > kMaxChannelBytes || data.size() > kMaxDataBytes) {
+  if (!is_log_event(channel.size(), data.size())) {
     return error(fmt::format("channel \"{}\" with {} bytes of data: 1 to 63 and at most {} are right",
                              channel, data.size(), kMaxDataBytes));
   }
-  std::array<std::uint8_t, kHeaderBytes> header{};
-  const std::span<std::uint8_t> bytes(header);
-  std::copy(kSync.begin(), kSync.end(), header.begin());
-  put_big_endian(number_, bytes.subspan(4, 8));
-  put_big_endian(static_cast<std::uint64_t>(utime), bytes.subspan(12, 8));
-  put_big_endian(channel.size(), bytes.subspan(20, 4));
-  put_big_endian(data.size(), bytes.subspan(24, 4));
+  auto header = log_header(number_, utime, channel.size(), data.size());
   stream_.write(as_chars(header.data()), static_cast<std::streamsize>(header.size()));
   stream_.write(channel.data(), static_cast<std::streamsize>(channel.size()));
   stream_.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));

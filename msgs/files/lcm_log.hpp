@@ -29,7 +29,9 @@ struct LogEvent {
 class LcmLogReader {
  public:
   FileStatus open(const std::filesystem::path& path);
-  /// False at the end of the file.
+  /// Several, one after the other, as if they were one: the segments of a recorder. At least one.
+  FileStatus open(const std::vector<std::filesystem::path>& paths);
+  /// False at the end of the (last) file.
   bool next(LogEvent& event);
 
   [[nodiscard]] std::uint64_t num_events() const { return num_events_; }
@@ -40,6 +42,8 @@ class LcmLogReader {
 
  private:
   enum class Outcome { kEvent, kDamaged, kEnd };
+  FileStatus open_one(const std::filesystem::path& path);
+  bool open_following();
   Outcome read_event(LogEvent& event);
   Outcome fault(std::uint64_t offset, const std::string& what);
   bool find_sync();
@@ -47,6 +51,7 @@ class LcmLogReader {
   void go_to(std::uint64_t offset);
 
   std::string name_;
+  std::vector<std::filesystem::path> following_;  // the last first
   std::ifstream stream_;
   std::uint64_t size_ = 0;
   std::uint64_t offset_ = 0;  // of the next event
@@ -55,6 +60,15 @@ class LcmLogReader {
   std::uint64_t bytes_passed_over_ = 0;
   std::vector<FileError> faults_;
 };
+
+inline constexpr std::size_t kLogHeaderBytes = 28;
+
+/// What stands before channel and data of an event.
+std::array<std::uint8_t, kLogHeaderBytes> log_header(std::uint64_t number, std::int64_t utime,
+                                                     std::size_t channel_bytes, std::size_t data_bytes);
+
+/// Whether LCM and the reader take an event of these lengths.
+bool is_log_event(std::size_t channel_bytes, std::size_t data_bytes);
 
 /// Writes beside the target, and puts the file in its place only by finish(): a failed run leaves nothing.
 class LcmLogWriter {

@@ -123,7 +123,9 @@ class RecordedRun {
       }
     } else if (name == "ADVICE") {
       if (decode(event.data, advice_) && is_time(advice_.utime)) {
-        follow(event);
+        if (advice_.seq != last_seq_ || advice_.utime != last_utime_) {  // else a recorder's repeat
+          follow(event);
+        }
       } else {
         ++figures_.num_refused;
       }
@@ -156,6 +158,7 @@ class RecordedRun {
       return;
     }
     last_seq_ = advice_.seq;
+    last_utime_ = advice_.utime;
     const bool is_repeatable = take_inputs(event);
     last_advice_ = event.number;
     if (!is_repeatable) {
@@ -314,16 +317,18 @@ class RecordedRun {
   advice_t advice_{};  // the recorded one that is followed
   TimeMark time_mark_;
   std::int32_t last_seq_ = 0;
+  std::int64_t last_utime_ = 0;
   std::uint64_t last_advice_ = 0;  // number of the event
   bool has_followed_ = false;
 };
 
 }  // namespace
 
-FileStatus find_recorded_advisor(const std::string& path, const std::string& prefix, RecordedAdvisor& out) {
+FileStatus find_recorded_advisor(const std::vector<std::filesystem::path>& paths, const std::string& prefix,
+                                 RecordedAdvisor& out) {
   out = {};
   LcmLogReader log;
-  if (FileStatus status = log.open(path); !status) {
+  if (FileStatus status = log.open(paths); !status) {
     return status;
   }
   const auto advice = std::make_unique<advice_t>();

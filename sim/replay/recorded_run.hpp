@@ -11,8 +11,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "firmware/session/session.hpp"
 #include "msgs/files/file_status.hpp"
@@ -28,7 +30,8 @@ struct RecordedAdvisor {
   std::int16_t source_id = 0;
 };
 
-FileStatus find_recorded_advisor(const std::string& path, const std::string& prefix, RecordedAdvisor& out);
+FileStatus find_recorded_advisor(const std::vector<std::filesystem::path>& paths, const std::string& prefix,
+                                 RecordedAdvisor& out);
 
 struct RecordedFigures {
   std::uint64_t num_advice = 0;

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
@@ -21,7 +23,7 @@ namespace quickstrip::sim_tool {
 namespace {
 
 struct Options {
-  std::string log;
+  std::vector<std::string> logs;
   std::string hull;
   std::string limits;
   std::string speed = "max";
@@ -87,13 +89,36 @@ double factor(const std::string& speed) {
   return parse_list("--speed", speed, {1e-3, 1e6}).front();
 }
 
+/// The logs as they were given; of a folder, its logs in the order of their names (a recorder's are times).
+std::vector<std::filesystem::path> log_paths(const Options& options) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& log : options.logs) {
+    if (!std::filesystem::is_directory(log)) {
+      paths.emplace_back(log);
+      continue;
+    }
+    std::vector<std::filesystem::path> inside;
+    for (const auto& entry : std::filesystem::directory_iterator(log)) {
+      if (entry.path().extension() == ".log") {
+        inside.push_back(entry.path());
+      }
+    }
+    if (inside.empty()) {
+      throw InputError{log + ": no *.log in this folder"};
+    }
+    std::sort(inside.begin(), inside.end());
+    paths.insert(paths.end(), inside.begin(), inside.end());
+  }
+  return paths;
+}
+
 /// To a running advisor over LCM.
 void run_published(Options options) {
   options.far.speed = factor(options.speed);
   options.far.prefix = options.replay.prefix;
   options.far.cycle_period_s = options.replay.cycle_period_s;
   LcmLogReader log;
-  require(log.open(options.log));
+  require(log.open(log_paths(options)));
   LcmLogWriter record;
   if (!options.out.empty()) {
     require(record.open(options.out));
@@ -129,12 +154,13 @@ void judge(const Options& options, const RecordedFigures& recorded) {
                  ? std::string()
                  : fmt::format("; {} more rest on inputs from before the log", recorded.num_beyond_log));
   if (num_repeated == 0) {
-    throw InputError{options.log + ": no recorded advice can be repeated: their inputs are not in the log"};
+    throw InputError{options.logs.front() +
+                     ": no recorded advice can be repeated: their inputs are not in the log"};
   }
   if (!recorded.first_difference.empty()) {
     throw InputError{fmt::format(
         "{}: first difference: {}; --recorded follow does not compare, ignore takes the inputs alone",
-        options.log, recorded.first_difference)};
+        options.logs.front(), recorded.first_difference)};
   }
 }
 
@@ -145,14 +171,14 @@ void run(Options options) {
   options.session.log_clock = true;
   RecordedAdvisor recorded_advisor;
   if (options.recorded != "ignore") {
-    require(find_recorded_advisor(options.log, options.replay.prefix, recorded_advisor));
+    require(find_recorded_advisor(log_paths(options), options.replay.prefix, recorded_advisor));
   }
   if (recorded_advisor.has_advice) {
     options.session.cycle_period_s = recorded_advisor.cycle_period_s;
     options.session.source_id = recorded_advisor.source_id;
   }
   LcmLogReader log;
-  require(log.open(options.log));
+  require(log.open(log_paths(options)));
   const auto files = std::make_unique<ShipFiles>();
   require(read_ship_files(options.hull, options.limits, *files));
   options.session.profile = files->profile;
@@ -198,7 +224,8 @@ void add_replay(CLI::App& app) {
       "Runs the advisor over a log, at the log's time: the recorded cycles where the log holds advice, else "
       "one cycle per change of an input and per cycle period");
   const auto options = std::make_shared<Options>();
-  command->add_option("LOG", options->log, "LCM log")->required();
+  command->add_option("LOG", options->logs, "LCM log; several, or a recorder's folder, are read as one")
+      ->required();
   command->add_option("--hull", options->hull, "Hull file; computes here, by the live process's own code");
   command->add_flag(
       "--publish", options->publish,

@@ -90,7 +90,7 @@ class RecordedRunTest : public testing::Test {
     }
     EXPECT_TRUE(writer.finish().ok());
     RecordedAdvisor advisor;
-    EXPECT_TRUE(find_recorded_advisor(path_, "QS_", advisor).ok());
+    EXPECT_TRUE(find_recorded_advisor({path_}, "QS_", advisor).ok());
     EXPECT_TRUE(advisor.has_advice);
     SessionOptions options;
     options.cycle_period_s = advisor.cycle_period_s;
@@ -228,7 +228,7 @@ TEST_F(RecordedRunTest, ACyclePeriodIsReadOffTheAdviceForAnyPeriod) {
   live.cycle(kStart);
   RecordedAdvisor advisor;
   follow(live.events);
-  ASSERT_TRUE(find_recorded_advisor(path_, "QS_", advisor).ok());
+  ASSERT_TRUE(find_recorded_advisor({path_}, "QS_", advisor).ok());
   EXPECT_NEAR(advisor.cycle_period_s, 0.7, 1e-6);
   EXPECT_EQ(advisor.source_id, 7);
 }
