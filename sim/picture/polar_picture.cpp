@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/hazard/hazard_bits.hpp"
 #include "sim/picture/governing_regions.hpp"
 #include "sim/picture/message_text.hpp"
 #include "sim/picture/polar_geometry.hpp"
@@ -15,7 +16,6 @@
 namespace quickstrip {
 namespace {
 
-constexpr int kNoSteerageBit = 1;        // advice.hpp: kHazardNoSteerage
 constexpr double kFullScale = 26.0;      // the polar's radius in the plane, whatever its speeds [units]
 constexpr int kFarMargin = 67;           // grid_t's margin in steps of 0.01
 constexpr double kRingStepKn = 5.0;      // labelled rings
@@ -61,6 +61,8 @@ void add_cells(Script& script, const grid_t& grid) {
   std::array<PlotData, 4> by_verdict;
   PlotData far_exceeded;
   PlotData no_steerage;
+  PlotData zone_only;
+  PlotData zone_and_motions;
   for (int s = 0; s < grid.num_speeds; ++s) {
     for (int h = 0; h < grid.num_headings; ++h) {
       const int verdict = std::clamp<int>(grid.verdict[s][h], 0, 3);
@@ -68,8 +70,12 @@ void add_cells(Script& script, const grid_t& grid) {
           verdict == grid_t::VERDICT_EXCEEDED && grid.margin[s][h] >= 0 && grid.margin[s][h] < kFarMargin;
       PlotData& cells = is_far ? far_exceeded : by_verdict[static_cast<std::size_t>(verdict)];
       cells.polygon(cell_sector(grid, s, h));
-      if ((grid.hazards[s][h] & kNoSteerageBit) != 0) {
+      const int hazards = grid.hazards[s][h];
+      if ((hazards & kHazardNoSteerage) != 0) {
         no_steerage.polygon(cell_sector(grid, s, h));
+      } else if ((hazards & kZoneBits) != 0) {
+        const bool both = (hazards & kHazardMotions) != 0;
+        (both ? zone_and_motions : zone_only).polygon(cell_sector(grid, s, h));
       }
     }
   }
@@ -80,6 +86,12 @@ void add_cells(Script& script, const grid_t& grid) {
   script.add(far_exceeded,
              fmt::format("with filledcurves closed fs solid noborder fc rgb '{}'", kFarExceededColour));
   script.add(by_verdict[0], "with filledcurves closed fs transparent pattern 5 noborder fc rgb '#777777'");
+  // Motion only: no hatch.
+  script.add(zone_only, fmt::format("with filledcurves closed fs transparent pattern {} noborder fc rgb '{}'",
+                                    kZoneOnlyPattern, kZoneOnlyColour));
+  script.add(zone_and_motions,
+             fmt::format("with filledcurves closed fs transparent pattern {} noborder fc rgb '{}'",
+                         kZoneAndMotionsPattern, kZoneAndMotionsColour));
   script.add(no_steerage, "with filledcurves closed fs transparent pattern 4 noborder fc rgb '#8A8A8A'");
 }
 

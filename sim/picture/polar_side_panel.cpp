@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "core/hazard/hazard_bits.hpp"
 #include "sim/picture/governing_regions.hpp"
 #include "sim/picture/message_text.hpp"
 
@@ -34,14 +35,14 @@ class Panel {
     label(kLeft + 3.4, text, "left font ',13.5' tc rgb '#222222'");
     y_ -= kLineHeight;
   }
-  void box(const char* colour, std::string_view text, const char* pattern = nullptr) {
+  void box(const char* colour, std::string_view text, int pattern = 0, const char* hatch = "#808080") {
     const std::string place =
         fmt::format("from {:.2f},{:.2f} to {:.2f},{:.2f}", kLeft, y_ - 0.55, kLeft + 2.6, y_ + 0.75);
     text_ += fmt::format("set object rect {} fs solid border lc rgb '#444444' fc rgb '{}'\n", place, colour);
-    if (pattern != nullptr) {
-      text_ += fmt::format(
-          "set object rect {} fs transparent pattern {} border lc rgb '#444444' fc rgb '#808080'\n", place,
-          pattern);
+    if (pattern != 0) {
+      text_ +=
+          fmt::format("set object rect {} fs transparent pattern {} border lc rgb '#444444' fc rgb '{}'\n",
+                      place, pattern, hatch);
     }
     label(kLeft + 3.4, text, "left font ',13.5' tc rgb '#222222'");
     y_ -= kLineHeight;
@@ -147,6 +148,19 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t max_li
   return out;
 }
 
+double unknown_share(const grid_t& grid) {
+  int num_cells = 0;
+  int num_unknown = 0;
+  for (int s = 0; s < grid.num_speeds; ++s) {
+    for (int h = 0; h < grid.num_headings; ++h) {
+      const bool counts = (grid.hazards[s][h] & kHazardNoSteerage) == 0;
+      num_cells += counts ? 1 : 0;
+      num_unknown += counts && grid.verdict[s][h] == grid_t::VERDICT_UNKNOWN ? 1 : 0;
+    }
+  }
+  return num_cells > 0 ? static_cast<double>(num_unknown) / num_cells : -1.0;
+}
+
 std::string side_panel(const PolarPicture& picture) {
   const advice_t& advice = picture.advice;
   std::string text;
@@ -174,8 +188,14 @@ std::string side_panel(const PolarPicture& picture) {
   panel.box(kVerdictColours[2], "caution: near a limit");
   panel.box(kVerdictColours[3], "exceeded");
   panel.box(kFarExceededColour, "exceeded by far (also at 2/3 Hs)");
-  panel.box(kVerdictColours[0], "not known", "5");
-  panel.box("#FBFAF7", "below steerage speed", "4");
+  const double unknown = unknown_share(picture.grid);
+  panel.box(kVerdictColours[0],
+            unknown < 0.0 ? "not known" : fmt::format("not known: {:.1f} % of the cells", 100.0 * unknown),
+            5);
+  panel.box("#FBFAF7", "below steerage speed", 4);
+  panel.box(kVerdictColours[2], "IMO zone only, motions in limits", kZoneOnlyPattern, kZoneOnlyColour);
+  panel.box(kVerdictColours[2], "IMO zone and motions", kZoneAndMotionsPattern, kZoneAndMotionsColour);
+  panel.line("No hatch: motions only.");
   panel.line("Blue arrows: the waves come from there;", "#12436D");
   panel.line("their breadth tells the height.", "#12436D");
   panel.line("White: the ship now. 1, 2, 3: changes.", "#1B3FAB");

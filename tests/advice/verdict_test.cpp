@@ -26,8 +26,9 @@ class VerdictRules : public testing::Test {
     EXPECT_TRUE(
         criteria_.push_back({.quantity = quantity, .place = place, .statistic = statistic, .limit = value}));
   }
-  Cell cell() {
-    return judge(criteria_, bind_criteria(criteria_, watch_), watch_, moments_, {.quality = 4, .hazards = 0});
+  Cell cell(std::uint16_t hazards = 0, double slow_waves = 0.0) {
+    return judge(criteria_, bind_criteria(criteria_, watch_), watch_, moments_,
+                 {.quality = 4, .hazards = hazards, .low_encounter_share = slow_waves});
   }
   ResponseMoments& roll() { return moments_[0]; }
   ResponseMoments& bow() { return moments_[1]; }
@@ -109,6 +110,48 @@ TEST_F(VerdictRules, MoreThanAFifthBelowTheEncounterFloorIsUnknownUnlessExceeded
   EXPECT_EQ(cell().verdict, Verdict::kUnknown);
   roll() = {.m0 = std::pow(0.11, 2), .m0_low_encounter = 0.3 * std::pow(0.11, 2)};
   EXPECT_EQ(cell().verdict, Verdict::kExceeded);
+}
+
+TEST_F(VerdictRules, MoreThanAFifthOfTheWavesPassingSlowlyIsUnknownWhateverTheMotions) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  roll().m0 = std::pow(0.05, 2);
+  EXPECT_EQ(cell(0, 0.19).verdict, Verdict::kGood);
+  EXPECT_EQ(cell(0, 0.21).verdict, Verdict::kUnknown);
+  EXPECT_NE(cell(0, 0.21).hazards & kHazardFollowingUnwatched, 0);
+}
+
+TEST_F(VerdictRules, AZoneIsCautionAndItsWarningIsExceededWhateverTheMotions) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  roll().m0 = std::pow(0.01, 2);
+  for (std::size_t i = 0; i < kNumHazardBits; ++i) {
+    const auto bit = static_cast<std::uint16_t>(1u << i);
+    const bool is_warning = (bit & kSevereZoneBits) != 0;
+    const bool is_zone = (bit & kZoneBits) != 0;
+    const bool is_unknown = bit == kHazardZonesUnknown || bit == kHazardFollowingUnwatched;
+    const Verdict expected = is_warning   ? Verdict::kExceeded
+                             : is_zone    ? Verdict::kCaution
+                             : is_unknown ? Verdict::kUnknown
+                                          : Verdict::kGood;
+    EXPECT_EQ(cell(bit).verdict, expected) << i;
+    EXPECT_EQ(cell(bit).margin, cell().margin);  // margin and governing criterion are the motions' own
+  }
+  // Where linear motions say nothing the zone still does.
+  EXPECT_EQ(cell(kHazardSurfRiding, 0.5).verdict, Verdict::kCaution);
+  EXPECT_EQ(cell(kHazardSurfRiding | kHazardSurfRidingWaves, 0.5).verdict, Verdict::kExceeded);
+  EXPECT_EQ(cell(kHazardSurfRiding | kHazardZonesUnknown).verdict, Verdict::kCaution);
+}
+
+TEST_F(VerdictRules, ZoneOnlyMotionOnlyAndBothAreToldApart) {
+  limit(Quantity::kRoll, Statistic::kRms, 0.1);
+  const auto told = [&](double rms, std::uint16_t zones) {
+    roll().m0 = rms * rms;
+    const unsigned hazards = cell(zones).hazards;
+    return std::pair((hazards & kZoneBits) != 0, (hazards & kHazardMotions) != 0);
+  };
+  EXPECT_EQ(told(0.05, 0), std::pair(false, false));
+  EXPECT_EQ(told(0.05, kHazardSynchronousRoll), std::pair(true, false));
+  EXPECT_EQ(told(0.08, 0), std::pair(false, true));
+  EXPECT_EQ(told(0.11, kHazardSynchronousRoll), std::pair(true, true));
 }
 
 TEST_F(VerdictRules, AMomentThatIsNotANumberMakesTheCellUnknownWithoutValues) {
