@@ -10,14 +10,16 @@ namespace quickstrip {
 /// null for what is not known (negative) or not finite.
 nlohmann::json known(double value);
 
-/// Text of a message's field.
+/// Text of a message's field; what fills it to the last byte was cut, and says so.
 template <std::size_t N>
 std::string field_text(const std::uint8_t (&field)[N]) {
   std::size_t n = 0;
   while (n < N && field[n] != 0) {
     ++n;
   }
-  return {reinterpret_cast<const char*>(field), n};
+  std::string text(reinterpret_cast<const char*>(field), n);
+  constexpr std::size_t kLongestCharacter = 4;  // the cut is before the character that did not fit
+  return N > 64 && n + kLongestCharacter >= N ? text + "…" : text;
 }
 
 nlohmann::json advice_json(const advice_t& advice);

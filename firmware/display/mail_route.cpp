@@ -41,13 +41,15 @@ constexpr std::array kRoutes{
     Route{"MOTION", put<motion_t>},
 };
 
-constexpr auto kChannels = [] {
+constexpr std::array<std::string_view, kRoutes.size()> channels_of_routes() {
   std::array<std::string_view, kRoutes.size()> names{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     names[i] = kRoutes[i].channel;
   }
   return names;
-}();
+}
+
+constexpr auto kChannels = channels_of_routes();
 
 }  // namespace
 

@@ -34,7 +34,7 @@ TEST_F(Browser, ShowsTheAdviceAndFollowsIt) {
   EXPECT_EQ(driver().text("#margin-big"), "25 %");
   EXPECT_EQ(driver().text("#governing"), "Roll: 4.8° (RMS), limit 6.0°");
   EXPECT_EQ(driver().text("#members"), "In 11 of 16 cases within the uncertainty a limit is exceeded.");
-  EXPECT_EQ(driver().text("#expected"), "Largest in the next 30 min: roll 14°, pitch 4°");
+  EXPECT_EQ(driver().text("#expected"), "Largest likely in 30 min: roll 14°, pitch 4°");
   EXPECT_NE(driver().text("#panel-changes").find("passes beam-on, 18° likely"), std::string::npos);
   EXPECT_NE(driver().text("#panel-measured").find("predicted 3.1°, measured 4.0°"), std::string::npos);
   EXPECT_NE(driver().text("#panel-measured").find("Confidence lowered"), std::string::npos);

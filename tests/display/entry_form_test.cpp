@@ -31,7 +31,7 @@ TEST(SeaForm, BecomesAMessageThatTheAdvisorTakes) {
           std::string(kWindSea) +
           R"(,{"kind":"swell","hs_m":2,"period_s":12.5,"period_kind":"tp","dir_from_deg":300,"spreading_deg":15})"),
       kNow, entry);
-  ASSERT_TRUE(errors.empty()) << errors.front().field << errors.front().text;
+  ASSERT_TRUE(errors.empty()) << errors_json(errors);
   const sea_state_t& sea = entry.message;
   EXPECT_EQ(sea.utime, kNow);
   EXPECT_EQ(sea.source_kind, int{sea_state_t::SOURCE_MANUAL});

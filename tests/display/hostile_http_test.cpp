@@ -14,7 +14,8 @@
 namespace quickstrip {
 namespace {
 
-using namespace std::chrono_literals;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
 using Clock = std::chrono::steady_clock;
 
 /// A connection without manners.
@@ -38,7 +39,7 @@ class Raw {
            send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
   }
   /// Up to the end of the connection or the patience.
-  std::string hear(std::chrono::milliseconds patience) {
+  std::string hear(milliseconds patience) {
     std::string heard;
     const auto until = Clock::now() + patience;
     while (Clock::now() < until) {
@@ -74,14 +75,14 @@ std::string host_of(const test::Bridge& bridge) {
 int ask(test::Bridge& bridge, const std::string& head, const std::string& body = "") {
   Raw raw(bridge.port());
   raw.say(head + "Connection: close\r\n\r\n" + body);
-  return status_of(raw.hear(3s));
+  return status_of(raw.hear(seconds(3)));
 }
 
 TEST(HostileHttp, PageIsServedWithItsPolicyAndNothingFromElsewhere) {
   test::Bridge bridge;
   Raw raw(bridge.port());
   raw.say("GET / HTTP/1.1\r\n" + host_of(bridge) + "Connection: close\r\n\r\n");
-  const std::string page = raw.hear(3s);
+  const std::string page = raw.hear(seconds(3));
   EXPECT_EQ(status_of(page), 200);
   EXPECT_NE(page.find("Content-Security-Policy: default-src 'none'"), std::string::npos);
   EXPECT_NE(page.find(bridge.token()), std::string::npos);
@@ -137,7 +138,7 @@ TEST(HostileHttp, MalformedAndOversizedRequestsAreRefusedAndTheServerGoesOn) {
   for (const std::string& text : broken) {
     Raw raw(bridge.port());
     raw.say(text);
-    const int status = status_of(raw.hear(600ms));
+    const int status = status_of(raw.hear(milliseconds(600)));
     EXPECT_TRUE(status == 0 || status >= 400) << text.substr(0, 60) << " " << status;
   }
   EXPECT_EQ(ask(bridge, "GET / HTTP/1.1\r\n" + host), 200);
@@ -148,12 +149,12 @@ TEST(HostileHttp, ARequestThatDripsInIsCutOff) {
   Raw raw(bridge.port());
   const auto start = Clock::now();
   raw.say("GET / HT");
-  while (!raw.has_ended() && Clock::now() - start < 10s) {
+  while (!raw.has_ended() && Clock::now() - start < seconds(10)) {
     raw.say("T");
-    raw.hear(500ms);
+    raw.hear(milliseconds(500));
   }
   EXPECT_TRUE(raw.has_ended());
-  EXPECT_LT(Clock::now() - start, kRequestDeadline + 2s);
+  EXPECT_LT(Clock::now() - start, kRequestDeadline + seconds(2));
 }
 
 // 64 that open the stream and never read; one that reads: its beats keep coming, the turn of the display
@@ -166,9 +167,9 @@ TEST(HostileHttp, SixtyFourReadersWhoNeverReadHoldUpNobody) {
     slow.push_back(std::make_unique<Raw>(bridge.port()));
     ASSERT_TRUE(slow.back()->say(events));
   }
-  const auto until = Clock::now() + 5s;
+  const auto until = Clock::now() + seconds(5);
   while (bridge.service().num_event_streams() < 64 && Clock::now() < until) {
-    std::this_thread::sleep_for(10ms);
+    std::this_thread::sleep_for(milliseconds(10));
   }
   EXPECT_EQ(bridge.service().num_event_streams(), 64);
   Raw good(bridge.port());
@@ -177,12 +178,12 @@ TEST(HostileHttp, SixtyFourReadersWhoNeverReadHoldUpNobody) {
   std::size_t beats = 0;
   std::size_t longest_gap_ms = 0;
   auto last = Clock::now();
-  for (const auto end = Clock::now() + 6s; Clock::now() < end;) {
-    const std::string heard = good.hear(100ms);
+  for (const auto end = Clock::now() + seconds(6); Clock::now() < end;) {
+    const std::string heard = good.hear(milliseconds(100));
     for (std::size_t at = heard.find("event: beat"); at != std::string::npos;
          at = heard.find("event: beat", at + 1)) {
       ++beats;
-      const auto gap = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - last).count();
+      const auto gap = std::chrono::duration_cast<milliseconds>(Clock::now() - last).count();
       longest_gap_ms = std::max(longest_gap_ms, static_cast<std::size_t>(gap));
       last = Clock::now();
     }

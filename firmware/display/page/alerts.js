@@ -30,7 +30,7 @@ export function drawAlerts({ alerts }) {
   const strip = $('alert-strip');
   strip.hidden = open.length === 0;
   strip.classList.toggle('flash', open.some((a) => a.state === 1));
-  if (open.length > 0) strip.replaceChildren(el('div', {}, el('b', {}, `${PRIORITY[open[0].priority]}: ${open[0].title}`), ` ${open[0].text}`), ...buttons(open[0]));
+  if (open.length > 0) strip.replaceChildren(el('div', {}, el('b', {}, `${PRIORITY[open[0].priority]}: ${open[0].title}`), ` ${open[0].text.split(';')[0]}`), ...buttons(open[0]));
   $('tab-alerts').textContent = alerts.length > 0 ? `Alerts (${alerts.length})` : 'Alerts';
   $('tab-alerts').classList.toggle('urgent', open.length > 0);
   const rows = alerts.map((alert) => el('tr', {}, el('td', {}, el('b', {}, PRIORITY[alert.priority])),

@@ -19,7 +19,8 @@ export function causesOf(grid, i) {
 }
 
 // Where to write the name of each zone: in the middle of each patch that is large enough to be named.
-const LEAST_CELLS = 24;
+const LEAST_CELLS = 24; // of some 1,800
+const ALWAYS_NAMED = 150; // smaller ones only once a zone
 
 export function zonePatches(grid) {
   const patches = [];
@@ -46,5 +47,6 @@ export function zonePatches(grid) {
       if (patch.length >= LEAST_CELLS) patches.push({ name: zone.name, cells: patch });
     }
   }
-  return patches;
+  const largest = (patch) => patches.every((other) => other.name !== patch.name || other.cells.length <= patch.cells.length);
+  return patches.filter((patch) => patch.cells.length >= ALWAYS_NAMED || largest(patch));
 }

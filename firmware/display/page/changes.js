@@ -27,7 +27,7 @@ export function drawChanges(state, onChoose) {
 
 function surely(exceeded, members) {
   if (!members || exceeded === null || exceeded === undefined) return '';
-  return exceeded === 0 ? ` Kept in all ${members} cases within the uncertainty.` : ` In ${exceeded} of ${members} cases within the uncertainty above a limit.`;
+  return exceeded === 0 ? `Kept in all ${members} cases within the uncertainty.` : `In ${exceeded} of ${members} cases within the uncertainty above a limit.`;
 }
 
 function row(change, i, members, onChoose) {
@@ -38,5 +38,5 @@ function row(change, i, members, onChoose) {
   const sure = surely(change.members_exceeded, members);
   const [what, ...rest] = change.text.split(': ');
   return el('div', { class: 'change clickable', onclick: () => onChoose(change.to_heading_deg, change.to_speed_kn), 'aria-label': `Change ${i + 1}, ${VERDICT[change.verdict]}` },
-    mark, el('div', {}, el('b', {}, `${i + 1}  ${what}`), el('span', {}, `${kind ? `${kind}: ` : ''}${rest.join(': ')}.${sure}`), turn ? el('span', { class: 'turn' }, turn) : null));
+    mark, el('div', {}, el('b', {}, `${i + 1}  ${what}`), el('span', {}, `${kind ? `${kind}: ` : ''}${rest.join(': ')}${sure ? `. ${sure}` : ''}`), turn ? el('span', { class: 'turn' }, turn) : null));
 }

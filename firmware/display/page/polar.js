@@ -76,13 +76,10 @@ function zoneNames(top) {
   const { num_headings: headings, speed_kn: knots } = view.grid;
   const placed = [];
   return zonePatches(view.grid).map(({ name, cells }) => {
-    let x = 0;
-    let y = 0;
-    for (const i of cells) {
-      const [px, py] = pointAt((360 * (i % headings)) / headings - top, view.scale.at(knots[Math.floor(i / headings)]));
-      x += px / cells.length;
-      y += py / cells.length;
-    }
+    const points = cells.map((i) => pointAt((360 * (i % headings)) / headings - top, view.scale.at(knots[Math.floor(i / headings)])));
+    const mean = [0, 1].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length);
+    const gap = (p) => Math.hypot(p[0] - mean[0], p[1] - mean[1]);
+    let [x, y] = points.reduce((best, p) => (gap(p) < gap(best) ? p : best)); // the middle of a ring lies outside it
     const words = svg('text', { class: 'zone-name', x: Math.max(-190, Math.min(190, x)), y: y + 6, 'text-anchor': 'middle', 'font-size': 17, 'font-weight': 'bold',
       fill: 'var(--ink-zone)', stroke: 'var(--panel)', 'stroke-width': 5, 'paint-order': 'stroke', 'pointer-events': 'none' });
     while (placed.some((p) => Math.abs(p.x - x) < 140 && Math.abs(p.y - y) < 19)) y += 19;
@@ -152,8 +149,7 @@ export function drawState(state) {
   view.state = state;
   turn();
   drawShip();
-  setText($('sea-total').querySelector('b') ?? $('sea-total').appendChild(document.createElement('b')),
-    state.sea.hs_m === null ? '' : `${state.sea.hs_m.toFixed(1)} m`);
+  setText($('sea-height'), state.sea.hs_m === null ? '' : `${state.sea.hs_m.toFixed(1)} m`);
 }
 
 // Own heading and speed, the changes as numbers, the chosen cell.

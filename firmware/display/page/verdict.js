@@ -37,7 +37,8 @@ export function drawVerdict(state) {
   setText($('governing'), has ? governing(state) : '');
   setText($('expected'), has ? expected(state) : '');
   setText($('members'), has ? members(state.outlook) : '');
-  setText($('notes-now'), has ? [...advice.hazard_words, ...advice.quality_words].join('. ') : '');
+  const notes = [...advice.hazard_words, ...advice.quality_words].map((note) => note.replace(/ \((IMO|band) [^)]*\)/, ''));
+  setText($('notes-now'), has ? notes.join('. ') : '');
 }
 
 function governing(state) {
@@ -47,11 +48,11 @@ function governing(state) {
   const name = advice.governing_name || criterion?.name || '';
   if (!criterion || advice.governing_value === null) return name;
   const from = state.sea.systems[advice.governing_system];
-  const by = from && state.sea.systems.length > 1 ? `, most by the ${words.systemName(from.kind)} from ${words.degrees3(from.dir_from_deg)}` : '';
+  const by = from && state.sea.systems.length > 1 ? `; mostly ${words.systemName(from.kind)} from ${words.degrees3(from.dir_from_deg)}` : '';
   return `${words.capital(name)}: ${words.value(advice.governing_value, criterion.unit)}${words.statistic(criterion.statistic)}, limit ${words.value(advice.governing_limit, criterion.unit)}${by}`;
 }
 
-const EVENTS = [[9, 'slams'], [10, 'water on deck'], [11, 'propeller out']];
+const EVENTS = [[9, 'slams'], [10, 'deck wet'], [11, 'propeller out']];
 
 // The largest of the next half hour where the advisor tells it; else RMS, and it says so.
 function expected(state) {
@@ -59,12 +60,11 @@ function expected(state) {
   const parts = [];
   if (o && o.expected_max_roll_deg !== null) parts.push(`roll ${o.expected_max_roll_deg.toFixed(0)}°`);
   if (o && o.expected_max_pitch_deg !== null) parts.push(`pitch ${o.expected_max_pitch_deg.toFixed(0)}°`);
-  if (o && o.expected_max_heave_m !== null) parts.push(`heave ${o.expected_max_heave_m.toFixed(1)} m`);
   for (const [quantity, name] of EVENTS) {
     const most = Math.max(...state.criteria.filter((c) => c.quantity === quantity && c.expected !== null).map((c) => c.expected));
-    if (most >= 1) parts.push(`${name} ${Math.round(most)} times`);
+    if (most >= 1) parts.push(`${name} ${Math.round(most)}×`);
   }
-  if (parts.length > 0) return `Largest in the next ${words.duration(o.expect_s)}: ${parts.join(', ')}`;
+  if (parts.length > 0) return `Largest likely in ${words.duration(o.expect_s)}: ${parts.join(', ')}`;
   return state.advice.roll_rms_deg === null ? '' : `Roll ${state.advice.roll_rms_deg.toFixed(1)}° RMS (single rolls go well beyond)`;
 }
 

@@ -18,22 +18,32 @@ function arrow(system, top) {
     style: 'fill:var(--wave);stroke:var(--bg)', 'stroke-width': 2 });
 }
 
-// Beside the arrow, inside the picture, and not over one another.
+// Beside the arrow, inside the picture, and not over one another: at the top and bottom to the right or left of it,
+// at the sides above or below; on the lower left above, for the legend is below.
+const EDGE = 328;
+const WIDTH = 125;
+
+function place(system, top) {
+  const [x, y] = pointAt(system.dir_from_deg - top, 316);
+  if (Math.abs(x) < 170) {
+    const side = x + 26 + WIDTH > EDGE ? -1 : 1;
+    return { x: x + 26 * side, y: y > 0 ? 316 : -322, anchor: side > 0 ? 'start' : 'end' };
+  }
+  const above = y < 0 || (x < 0 && y > 120);
+  return { x: Math.sign(x) * EDGE, y: y + (above ? -46 : 38), anchor: x > 0 ? 'end' : 'start' };
+}
+
 function labels(systems, top) {
   const placed = [];
   return systems.map((system) => {
-    let [x, y] = pointAt(system.dir_from_deg - top, 316);
-    const side = x > 0 ? -1 : 1; // into the picture's corner, away from the edge
-    x = Math.max(-326, Math.min(326, x));
-    const above = y < 0;
-    y = Math.max(-322, Math.min(318, y + (above ? -36 : 34)));
-    while (placed.some((p) => Math.abs(p.y - y) < 42 && Math.abs(p.x - x) < 150)) y += above ? 44 : -44;
-    placed.push({ x, y });
-    const anchor = Math.abs(x) < 90 ? 'middle' : side > 0 ? 'start' : 'end';
-    const text = svg('text', { class: 'wave-label', x, y, 'text-anchor': anchor, 'font-size': 19, 'font-weight': 'bold',
+    const at = place(system, top);
+    const collides = (p) => Math.abs(p.y - at.y) < 42 && Math.abs(p.x - at.x) < WIDTH;
+    for (let i = 0; i < systems.length && placed.some(collides); ++i) at.y += at.y < 0 ? 44 : -44;
+    placed.push(at);
+    const text = svg('text', { class: 'wave-label', x: at.x, y: at.y, 'text-anchor': at.anchor, 'font-size': 19, 'font-weight': 'bold',
       style: 'fill:var(--wave);stroke:var(--bg)', 'stroke-width': 5, 'paint-order': 'stroke' });
     const line = (words, dy) => {
-      const span = svg('tspan', { x, dy });
+      const span = svg('tspan', { x: at.x, dy });
       span.textContent = words;
       return span;
     };

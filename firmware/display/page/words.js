@@ -39,7 +39,7 @@ export function value(x, unit) {
 }
 
 // STATISTIC_...: 0 RMS, 1 significant, 2 probability; the others are in the unit's words
-export const statistic = (s) => [' (RMS)', ' (significant)', ' of waves met', ''][s] ?? '';
+export const statistic = (s) => [' (RMS)', ' (significant)', ' of waves', ''][s] ?? '';
 
 // Margin: the factor by which wave height may grow before a limit is reached.
 export function marginCaption(m) {
