@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/advice/quality.hpp"
+#include "core/advice/speed_loss.hpp"
 
 namespace quickstrip {
 namespace {
@@ -211,6 +212,7 @@ NoAdvice Advisor::advise(const StepInputs& step) {
   if (!sweep_grid(inputs, alive<GridWorkspace>(scratch_), output_.grid)) {
     return NoAdvice::kInternal;
   }
+  fill_speed_loss(hull_.resistance, output_.grid);
   constexpr int kSpectrum = -1;
   steadiness_.begin(step.time, step.spectrum != nullptr ? kSpectrum : step.sea_source);
   steadiness_.steady(criteria_, output_.grid);

@@ -33,8 +33,9 @@ enum QualityBit : std::uint32_t {
   kQualityShallowWater = 1u << 10,  // the water is not deep for these waves or this ship
   kQualityRollDampingRange = 1u << 11,  // roll damping outside the range of its formulas
   kQualityRollNotConverged = 1u << 12,  // roll linearisation ended with a residual worth saying
+  kQualitySpeedNotKept = 1u << 13,      // takes more power than the hull file gives
 };
-inline constexpr std::size_t kNumQualityBits = 13;
+inline constexpr std::size_t kNumQualityBits = 14;
 
 inline constexpr std::uint8_t kNoCriterion = 255;
 inline constexpr std::uint8_t kNoSystem = 255;
@@ -74,6 +75,7 @@ struct Cell {
   // range. A wave from astern may push.
   float added_resistance = kNoResistance;
   float added_resistance_empirical = kNoResistance;
+  float speed_loss = kNotComputed;  // involuntary, at the power of calm water [m/s]: speed_loss.hpp
 };
 
 inline constexpr float kMarginUnbounded = 99.0F;

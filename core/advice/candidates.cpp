@@ -22,7 +22,8 @@ double change_effort(double course_change, double speed_change, bool following_s
 bool may_be_recommended(const Cell& cell, std::uint16_t present_hazards) {
   const auto new_severe =
       static_cast<std::uint16_t>(cell.hazards & kSevereZoneBits & static_cast<unsigned>(~present_hazards));
-  return cell.verdict != Verdict::kUnknown && (cell.hazards & kNeverRecommended) == 0 && new_severe == 0;
+  return cell.verdict != Verdict::kUnknown && (cell.hazards & kNeverRecommended) == 0 && new_severe == 0 &&
+         (cell.quality & kQualitySpeedNotKept) == 0;
 }
 
 bool is_smaller(const Change& a, const Change& b) {

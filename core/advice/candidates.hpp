@@ -38,7 +38,8 @@ struct Present {
   double roll_period = 0.0;  // s, natural; 0: not known
 };
 
-/// Known, at steerage speed, and in no severe zone that the present cell is not in.
+/// Known, at steerage speed, within the engine's power as far as that is known, and in no severe zone that
+/// the present cell is not in.
 bool may_be_recommended(const Cell& cell, std::uint16_t present_hazards);
 
 /// Signed speeds and headings, no turn yet: effort is change_effort.
@@ -102,7 +103,8 @@ class Candidates {
                   .governing_system = cell.governing_system,
                   .hazards = cell.hazards,
                   .next = cell.next,
-                  .next_margin = next_margin(cell)};
+                  .next_margin = next_margin(cell),
+                  .speed_loss = cell.speed_loss};
     if (std::abs(change.heading_change) <= kNoTurn && std::abs(change.speed_change) <= kNoSpeedChange) {
       return;
     }

@@ -97,7 +97,6 @@ void put_change_figures(const Cell* cell, std::size_t i, advice_t& out) {
   out.change_slam_probability[i] = probability(from.slam_probability);
   out.change_slams_per_hour[i] = to_rim(static_cast<double>(from.slams_per_hour), RimUnit::kPerHour);
   out.change_wetness_probability[i] = probability(from.wetness_probability);
-  out.change_speed_loss_kn[i] = kUnknown;  // resistance and power come with a later issue
 }
 
 void put_changes(const Advice& advice, const Grid& grid, const Criteria& criteria, WaveSystems systems,
@@ -118,6 +117,8 @@ void put_changes(const Advice& advice, const Grid& grid, const Criteria& criteri
     out.change_margin[i] = static_cast<double>(change.margin);
     const Cell* cell = cell_at(grid, change.heading, change.speed);
     put_change_figures(cell, i, out);
+    out.change_speed_loss_kn[i] =
+        change.speed_loss >= 0.0F ? to_knots(static_cast<double>(change.speed_loss)) : kUnknown;
     Sentence text;
     add_change(change, cell, criteria, systems, text);
     put_text(text.view(), out.change_text[i]);

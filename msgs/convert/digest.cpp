@@ -83,6 +83,13 @@ std::int64_t hull_digest(const Hull& hull, const Loading& loading) {
                              grid.speed_to, grid.speed_step, grid.heading_step}) {
     fnv.add(value);
   }
+  fnv.add(hull.handling.turn_rate);
+  fnv.add(hull.handling.slowing);
+  fnv.add(hull.handling.speeding_up);
+  for (const CalmWaterResistance& point : hull.resistance) {
+    fnv.add(point.speed);
+    fnv.add(point.force);
+  }
   return fnv.as_int64();
 }
 

@@ -37,7 +37,8 @@ void put_cell(const Cell& cell, std::size_t s, std::size_t h, grid_t& out) {
       quantised<std::int16_t>(to_rim(static_cast<double>(cell.rms_roll), RimUnit::kDegree), kRollStep_deg);
   out.bridge_vertical_rms[s][h] =
       quantised<std::int16_t>(static_cast<double>(cell.rms_bridge_vertical), kAccelerationStep_m_s2);
-  out.speed_loss[s][h] = -1;  // resistance and power come with a later issue
+  out.speed_loss[s][h] =
+      quantised<std::int8_t>(to_knots(static_cast<double>(cell.speed_loss)), kSpeedLossStep_kn);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ inline constexpr std::array<QualityWords, kNumQualityBits> kQualityWords{{
     {kQualityShallowWater, "shallow_water", "Shallow water: not computed"},
     {kQualityRollDampingRange, "roll_damping_range", ""},
     {kQualityRollNotConverged, "roll_not_converged", "Roll damping not settled: roll uncertain"},
+    {kQualitySpeedNotKept, "speed_not_kept", "The engine cannot keep this speed in these waves"},
 }};
 
 }  // namespace quickstrip

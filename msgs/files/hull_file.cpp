@@ -12,6 +12,7 @@
 #include "core/base/check.hpp"
 #include "msgs/convert/ranges.hpp"
 #include "msgs/convert/units.hpp"
+#include "msgs/files/hull_file_handling.hpp"
 #include "msgs/files/hull_file_places.hpp"
 #include "msgs/files/text_file.hpp"
 #include "msgs/files/toml_table.hpp"
@@ -20,9 +21,8 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kMaxHullFileBytes = 4'000'000;  // 64 stations of 128 points take some 200 kB
-constexpr double kDefaultSteerage_kn = 3.0;
-constexpr double kLeastBreadth = 0.75;       // [breadth] of the widest station
-constexpr double kNearestStations = 1.0e-6;  // [lpp] nearer ones are one station typed twice
+constexpr double kLeastBreadth = 0.75;                // [breadth] of the widest station
+constexpr double kNearestStations = 1.0e-6;           // [lpp] nearer ones are one station typed twice
 
 void read_particulars(const TomlTable& root, Hull& hull) {
   const TomlTable table = root.table("particulars");
@@ -213,14 +213,6 @@ void read_roll_damping(const TomlTable& root, Hull& hull) {
   }
 }
 
-void read_handling(const TomlTable& root, Hull& hull) {
-  hull.min_steerage_speed = from_knots(kDefaultSteerage_kn);
-  if (const auto table = root.optional_table("handling")) {
-    table->allow_only({"min_steerage_kn"});
-    hull.min_steerage_speed = from_knots(table->number("min_steerage_kn", {0.0, 15.0, "kn"}));
-  }
-}
-
 void read_speeds(const TomlTable& speeds, GridDefinition& grid) {
   speeds.allow_only({"from", "to", "step"});
   constexpr NumberRange kSpeeds{0.0, 60.0, "kn"};
@@ -261,7 +253,7 @@ void read_grid(const TomlTable& root, Hull& hull) {
 
 void read_all(const TomlTable& root, Hull& hull) {
   root.allow_only({"schema", "name", "particulars", "station", "loading", "roll_damping", "point", "slamming",
-                   "freeboard", "propeller", "handling", "grid"});
+                   "freeboard", "propeller", "handling", "resistance", "grid"});
   root.require_schema_1();
   hull.name = Name(root.name("name"));
   read_particulars(root, hull);
@@ -270,6 +262,7 @@ void read_all(const TomlTable& root, Hull& hull) {
   read_roll_damping(root, hull);
   read_places(root, hull);
   read_handling(root, hull);
+  read_resistance(root, hull);
   read_grid(root, hull);
 }
 

@@ -4,9 +4,9 @@
 //   [[slamming]]   one station "bow" at 0.9 lpp, threshold velocity of [Ochi1964]
 //   [[freeboard]]  "bow": the deck edge of the foremost station with offsets; none for a hull of minimal form
 //   [[point]]      of role "fp": the forward perpendicular at that deck edge's height; none likewise
-//   [handling]     min_steerage_kn = 3
-//   [grid]         0 ... 24 kn by 1 kn, every 5 degrees
-//   free_surface_correction_m, gm_m, measured_roll_period_s: not known (said on every output)
+//   [handling]     min_steerage_kn = 3, turn_rate_deg_min = 30, slow_down_kn_min = 1, speed_up_kn_min = 0.5:
+//   ours [resistance]   not known: no involuntary speed loss [grid]         0 ... 24 kn by 1 kn, every 5
+//   degrees free_surface_correction_m, gm_m, measured_roll_period_s: not known (said on every output)
 // Whether the ship floats upright at its draughts is core's to say (immerse, hydrostatics).
 #pragma once
 

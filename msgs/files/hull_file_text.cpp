@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "msgs/convert/units.hpp"
+#include "msgs/files/hull_file_handling.hpp"
 
 namespace quickstrip {
 namespace {
@@ -12,14 +13,6 @@ namespace {
 constexpr std::size_t kLineWidth = 110;
 
 // Always with a dot or an exponent: a TOML float.
-std::string number(double value) {
-  std::string text = fmt::format("{:.10g}", value == 0.0 ? 0.0 : value);  // no "-0"
-  if (text.find_first_of(".e") == std::string::npos) {
-    text += ".0";
-  }
-  return text;
-}
-
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -32,7 +25,7 @@ std::string quoted(std::string_view text) {
 }
 
 void add(std::string& text, const char* key, double value) {
-  text += fmt::format("{} = {}\n", key, number(value));
+  text += fmt::format("{} = {}\n", key, toml_number(value));
 }
 
 void add(std::string& text, const char* key, std::optional<double> value) {
@@ -62,7 +55,7 @@ void add_station(std::string& text, const Station& station) {
   std::string line = "\n ";
   for (std::size_t i = 0; i < station.offsets.size(); ++i) {
     const Offset& point = station.offsets[i];
-    const std::string pair = fmt::format(" [{}, {}]{}", number(point.y), number(point.z),
+    const std::string pair = fmt::format(" [{}, {}]{}", toml_number(point.y), toml_number(point.z),
                                          i + 1 < station.offsets.size() ? "," : "");
     if (line.size() + pair.size() > kLineWidth) {
       text += line;
@@ -98,12 +91,13 @@ void add_roll_damping(std::string& text, const RollDamping& damping) {
   }
   if (damping.bilge_keel) {
     text += fmt::format("bilge_keel = {{ x_aft_m = {}, x_fwd_m = {}, breadth_m = {} }}\n",
-                        number(damping.bilge_keel->x_aft), number(damping.bilge_keel->x_fwd),
-                        number(damping.bilge_keel->breadth));
+                        toml_number(damping.bilge_keel->x_aft), toml_number(damping.bilge_keel->x_fwd),
+                        toml_number(damping.bilge_keel->breadth));
   }
   if (damping.stabiliser) {
-    text += fmt::format("stabiliser = {{ ratio = {}, speed_kn = {} }}\n", number(damping.stabiliser->ratio),
-                        number(to_knots(damping.stabiliser->speed)));
+    text +=
+        fmt::format("stabiliser = {{ ratio = {}, speed_kn = {} }}\n", toml_number(damping.stabiliser->ratio),
+                    toml_number(to_knots(damping.stabiliser->speed)));
   }
 }
 
@@ -148,15 +142,22 @@ void add_places(std::string& text, const Hull& hull) {
 }
 
 void add_speeds(std::string& text, const Hull& hull) {
-  text += "\n[handling]\n";
-  add(text, "min_steerage_kn", to_knots(hull.min_steerage_speed));
+  text += handling_text(hull);
   text += fmt::format("\n[grid]\nspeeds_kn = {{ from = {}, to = {}, step = {} }}\n",
-                      number(to_knots(hull.grid.speed_from)), number(to_knots(hull.grid.speed_to)),
-                      number(to_knots(hull.grid.speed_step)));
+                      toml_number(to_knots(hull.grid.speed_from)), toml_number(to_knots(hull.grid.speed_to)),
+                      toml_number(to_knots(hull.grid.speed_step)));
   add(text, "heading_step_deg", degrees(hull.grid.heading_step));
 }
 
 }  // namespace
+
+std::string toml_number(double value) {
+  std::string text = fmt::format("{:.10g}", value == 0.0 ? 0.0 : value);  // no "-0"
+  if (text.find_first_of(".e") == std::string::npos) {
+    text += ".0";
+  }
+  return text;
+}
 
 std::string hull_file_text(const Hull& hull, std::string_view comment) {
   std::string text;

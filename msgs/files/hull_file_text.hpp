@@ -13,4 +13,7 @@ namespace quickstrip {
 /// `comment`: lines without "# ", at the head of the file: where the ship comes from.
 std::string hull_file_text(const Hull& hull, std::string_view comment);
 
+/// As the text above writes numbers: ten digits, and a point or an exponent.
+std::string toml_number(double value);
+
 }  // namespace quickstrip

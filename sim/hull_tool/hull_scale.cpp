@@ -75,6 +75,11 @@ void scale_by_froude(Hull& hull, double scale) {
   scale_loading(hull.loading, scale);
   scale_places(hull, scale);
   hull.min_steerage_speed *= speed_scale;
+  hull.handling.turn_rate /= speed_scale;  // accelerations are the same at every scale
+  for (CalmWaterResistance& point : hull.resistance) {
+    point.speed *= speed_scale;
+    point.force *= scale * scale * scale;  // of water of one density: friction of the larger ship is less
+  }
   hull.grid.speed_from *= speed_scale;
   hull.grid.speed_to *= speed_scale;
   hull.grid.speed_step *= speed_scale;

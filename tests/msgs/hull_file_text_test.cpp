@@ -112,6 +112,16 @@ tip_z_m = 3.0
 
 [handling]
 min_steerage_kn = 2.5
+turn_rate_deg_min = 24.0
+slow_down_kn_min = 1.5
+speed_up_kn_min = 0.4
+
+[resistance]
+speed_kn_force_n = [
+  [4.0, 12000.5],
+  [8.0, 50000.0],
+  [13.5, 190000.0],
+]
 
 [grid]
 speeds_kn = { from = 2.0, to = 14.0, step = 1.5 }
