@@ -28,6 +28,11 @@ bool is_due(const KeptInputs& kept, const KeptInputs& written) {
          kept.own_ship.utime < written.own_ship.utime;
 }
 
+bool is_sound(const limits_t& limits) {
+  return limits.num_criteria >= 0 &&
+         static_cast<std::size_t>(limits.num_criteria) <= sizeof(limits.limit) / sizeof(limits.limit[0]);
+}
+
 template <typename Message>
 int restore(const LogEvent& event, std::int64_t now, Session& session) {
   const auto message = std::make_unique<Message>();
@@ -37,9 +42,12 @@ int restore(const LogEvent& event, std::int64_t now, Session& session) {
 }  // namespace
 
 FileStatus write_kept_inputs(const std::filesystem::path& path, const std::string& prefix,
-                             const KeptInputs& kept) {
+                             const KeptInputs& kept, const limits_t& limits) {
   LcmLogWriter log;
   FileStatus status = log.open(path);
+  if (status) {
+    status = append(log, prefix + "LIMITS", limits);
+  }
   if (status && kept.has_sea_state) {
     status = append(log, prefix + "SEA_STATE", kept.sea_state);
   }
@@ -81,8 +89,28 @@ FileStatus restore_inputs(const std::filesystem::path& path, const std::string& 
   return {};
 }
 
-InputKeeper::InputKeeper(std::filesystem::path path, std::string prefix)
-    : path_(std::move(path)), prefix_(std::move(prefix)), thread_([this] { keep(); }) {}
+FileStatus read_kept_limits(const std::filesystem::path& path, const std::string& prefix, limits_t& out) {
+  out = limits_t{};
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    return {};
+  }
+  LcmLogReader log;
+  if (FileStatus status = log.open(path); !status) {
+    return status;
+  }
+  LogEvent event;
+  while (log.next(event)) {
+    const bool is_limits = event.channel == prefix + "LIMITS";
+    if (is_limits && !(decode(event.data, out) && is_sound(out))) {
+      out = limits_t{};  // as if none were known: nothing to compare with
+    }
+  }
+  return {};
+}
+
+InputKeeper::InputKeeper(std::filesystem::path path, std::string prefix, const limits_t& limits)
+    : path_(std::move(path)), prefix_(std::move(prefix)), limits_(limits), thread_([this] { keep(); }) {}
 
 InputKeeper::~InputKeeper() {
   stop();
@@ -103,10 +131,12 @@ void InputKeeper::stop() {
 void InputKeeper::keep() {
   const auto written = std::make_unique<KeptInputs>();
   bool has_failed = false;
+  bool has_written = false;
   while (true) {
     const bool was_running = is_running_.load();
-    if (newest_.take() && (is_due(newest_.front(), *written) || !was_running)) {
-      const FileStatus status = write_kept_inputs(path_, prefix_, newest_.front());
+    if (newest_.take() && (!has_written || is_due(newest_.front(), *written) || !was_running)) {
+      const FileStatus status = write_kept_inputs(path_, prefix_, newest_.front(), limits_);
+      has_written = status.ok();
       *written = newest_.front();
       if (!status && !has_failed) {
         std::fprintf(stderr, "inputs are not kept: %s\n", status.line().c_str());

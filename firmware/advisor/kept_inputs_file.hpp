@@ -1,6 +1,7 @@
-// The last inputs on disk, so that a restart has them, aged. The file is an LCM log of one event a kind
-// (quickstrip-sim inspect shows it), written beside and renamed. A thread of its own writes: at once when sea
-// or loading are new, own ship every ten seconds; the cycle only hands over a copy.
+// The last inputs on disk, so that a restart has them, aged, and the limits last in force, so that a restart
+// sees that they have been changed. The file is an LCM log of one event a kind
+// (quickstrip-sim inspect shows it), written beside and renamed. A thread of its own writes: at the first
+// cycle, at once when sea or loading are new, own ship every ten seconds; the cycle only hands over a copy.
 #pragma once
 
 #include <atomic>
@@ -16,16 +17,20 @@
 namespace quickstrip {
 
 FileStatus write_kept_inputs(const std::filesystem::path& path, const std::string& prefix,
-                             const KeptInputs& kept);
+                             const KeptInputs& kept, const limits_t& limits);
 
 /// Gives the session what the file holds, as restored at `now`; what is refused is left out. Without a file:
 /// nothing, and no error. `num_restored` counts the kinds.
 FileStatus restore_inputs(const std::filesystem::path& path, const std::string& prefix, std::int64_t now,
                           Session& session, int& num_restored);
 
+/// The limits that the file holds; num_criteria 0 where it holds none, or there is no file.
+FileStatus read_kept_limits(const std::filesystem::path& path, const std::string& prefix, limits_t& out);
+
 class InputKeeper {
  public:
-  InputKeeper(std::filesystem::path path, std::string prefix);
+  /// `limits`: in force as long as the process runs.
+  InputKeeper(std::filesystem::path path, std::string prefix, const limits_t& limits);
   ~InputKeeper();
   InputKeeper(const InputKeeper&) = delete;
   InputKeeper& operator=(const InputKeeper&) = delete;
@@ -40,6 +45,7 @@ class InputKeeper {
 
   std::filesystem::path path_;
   std::string prefix_;
+  limits_t limits_;
   TripleBuffer<KeptInputs> newest_;
   std::atomic<bool> is_running_{true};
   std::thread thread_;

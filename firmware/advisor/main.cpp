@@ -13,6 +13,8 @@
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
+#include "msgs/convert/limits_difference.hpp"
+#include "msgs/files/printable.hpp"
 #include "msgs/files/ship_files.hpp"
 
 namespace {
@@ -28,6 +30,7 @@ struct Options {
   std::string prefix = "QS_";
   std::string clock = "system";
   std::string state;
+  std::string author;
   int ensemble_per_cycle = -1;  // not given
   SessionOptions session;
   MethodOptions method;
@@ -41,7 +44,14 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--clock", options.clock, "system: this machine's; log: QS_TIME, one cycle for each")
       ->check(CLI::IsMember({"system", "log"}))
       ->capture_default_str();
-  app.add_option("--state", options.state, "File that keeps the last inputs over a restart");
+  app.add_option("--state", options.state, "File that keeps the last inputs and limits over a restart");
+  app.add_option("--author", options.author,
+                 "Who chose the limits: for the logbook, when they are others than at the last start "
+                 "(--state)")
+      ->check([](const std::string& name) {
+        const bool fits = name.size() < kMaxNameBytes && printable(name, name.size()) == name;
+        return fits ? std::string() : fmt::format("a name of at most {} bytes is wanted", kMaxNameBytes - 1);
+      });
   add_number(app, "--cycle-s", options.session.cycle_period_s, {0.01, 86400.0}, "Cycle period")
       ->default_str("1");
   app.add_option("--ensemble-per-cycle", options.ensemble_per_cycle,
@@ -67,6 +77,20 @@ std::int64_t wall_utime() {
       .count();
 }
 
+/// Says so on the bus and here when the limits are others than when the file was written.
+void compare_limits(const Options& options, Session& session) {
+  const auto before = std::make_unique<limits_t>();
+  require(read_kept_limits(options.state, options.prefix, *before));
+  if (before->num_criteria == 0 || before->digest == session.limits().digest) {
+    return;
+  }
+  Sentence change;
+  add_limits_difference(*before, session.limits(), change);
+  session.note_limits_change(options.author, change.view());
+  fmt::print(stderr, "limits changed by {}: {}\n",
+             options.author.empty() ? "somebody who is not named" : options.author, change.view());
+}
+
 void run(Options& options) {
   options.session.log_clock = options.clock == "log";
   options.session.method = options.method.method();
@@ -89,7 +113,8 @@ void run(Options& options) {
     const std::int64_t now = options.session.log_clock ? INT64_MAX : wall_utime();
     require(restore_inputs(options.state, options.prefix, now, *session, num_restored));
     fmt::print(stderr, "{}: {} inputs restored\n", options.state, num_restored);
-    keeper = std::make_unique<InputKeeper>(options.state, options.prefix);
+    compare_limits(options, *session);
+    keeper = std::make_unique<InputKeeper>(options.state, options.prefix, session->limits());
   }
   lcm::LCM bus(options.url);
   if (!bus.good()) {

@@ -9,6 +9,7 @@
 #include "msgs/convert/limits_message.hpp"
 #include "msgs/convert/received_checks.hpp"
 #include "msgs/convert/sea_message.hpp"
+#include "msgs/convert/text.hpp"
 
 namespace quickstrip {
 
@@ -37,6 +38,8 @@ Status Session::configure(const Hull& hull, const Criteria& criteria, const Sess
   to_message(criteria, hull, options.profile.view(), limits_);
   limits_.seq = 1;
   limits_.source_id = options.source_id;
+  limits_change_ = logbook_t{};
+  is_limits_change_due_ = false;
   return advisor_.configure(hull, criteria, options.method);
 }
 
@@ -135,12 +138,21 @@ const StepOutput& Session::step(std::int64_t now, const Fitness& fitness, Input 
   return advisor_.step(step_inputs);
 }
 
+void Session::note_limits_change(std::string_view author, std::string_view text) {
+  limits_change_.kind = logbook_t::KIND_LIMITS_CHANGED;
+  limits_change_.digest = limits_.digest;
+  put_text(author, limits_change_.author);
+  put_text(text, limits_change_.text);
+  is_limits_change_due_ = true;
+}
+
 void Session::cycle(std::int64_t now, Outbox& outbox) {
   ++cycle_;
   Input sea_in_force = Input::kWaveSpectrum;
   const Fitness fitness = judge(now, sea_in_force);
   output_ = &step(now, fitness, sea_in_force);
   send_limits(now, outbox);
+  send_limits_change(now, outbox);
   fill_advice(now, *output_, fitness, sea_in_force);
   send(OutChannel::kAdvice, advice_, outbox);
   to_message(output_->grid, limits_.digest, grid_);

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "core/advice/comparison.hpp"
 #include "core/advice/step.hpp"
@@ -33,6 +34,7 @@
 #include "quickstrip/grid_t.hpp"
 #include "quickstrip/health_t.hpp"
 #include "quickstrip/limits_t.hpp"
+#include "quickstrip/logbook_t.hpp"
 #include "quickstrip/motion_t.hpp"
 #include "quickstrip/outlook_t.hpp"
 #include "quickstrip/query_t.hpp"
@@ -89,6 +91,10 @@ class Session {
   void count(Input input, const Conversion& conversion);
   void set_run_figures(const RunFigures& figures) { figures_ = figures; }
 
+  /// The limits are others than before the start: told on QS_LOGBOOK in the next cycle, once. `author` may be
+  /// empty. The session knows neither files nor what was before: text is the caller's.
+  void note_limits_change(std::string_view author, std::string_view text);
+
   /// `now` between 1970 and 2200 (is_time); may be before that of the last cycle.
   void cycle(std::int64_t now, Outbox& outbox);
   /// For a replay that follows a recorded run from its middle: the next cycle is number `seq`.
@@ -113,6 +119,7 @@ class Session {
   const StepOutput& step(std::int64_t now, const Fitness& fitness, Input sea_in_force);
   void fill_advice(std::int64_t now, const StepOutput& output, const Fitness& fitness, Input sea_in_force);
   void send_limits(std::int64_t now, Outbox& outbox);
+  void send_limits_change(std::int64_t now, Outbox& outbox);
   void send_responses(std::int64_t now, Outbox& outbox);
   void answer(const Query& query, std::int64_t now, Outbox& outbox);
   void send_outlook(std::int64_t now, Outbox& outbox);
@@ -144,6 +151,8 @@ class Session {
   grid_t grid_{};
   response_t response_{};
   limits_t limits_{};
+  logbook_t limits_change_{};
+  bool is_limits_change_due_ = false;
   health_t health_{};
   outlook_t outlook_{};
   comparison_t comparison_message_{};

@@ -80,6 +80,17 @@ void Session::send_limits(std::int64_t now, Outbox& outbox) {
   send(OutChannel::kLimits, limits_, outbox);
 }
 
+void Session::send_limits_change(std::int64_t now, Outbox& outbox) {
+  if (!is_limits_change_due_) {
+    return;
+  }
+  is_limits_change_due_ = false;
+  limits_change_.utime = now;
+  ++limits_change_.seq;
+  limits_change_.source_id = options_.source_id;
+  send(OutChannel::kLogbook, limits_change_, outbox);
+}
+
 void Session::send_responses(std::int64_t now, Outbox& outbox) {
   if (output_->advice.no_advice == NoAdvice::kNone) {
     to_message(output_->present, *hull_, criteria_, limits_.digest, response_);

@@ -1,6 +1,7 @@
 #include "msgs/convert/limits_message.hpp"
 
 #include <array>
+#include <bit>
 
 #include "core/base/check.hpp"
 #include "msgs/convert/digest.hpp"
@@ -28,6 +29,29 @@ std::string_view place_name(const Hull& hull, Quantity quantity, std::uint8_t pl
   }
 }
 
+namespace {
+
+/// What the message has no field for: time of exposure and stance. Nothing for a profile without people.
+std::int64_t digest_with_people(const Criteria& criteria, std::int64_t digest) {
+  Fnv1a fnv;
+  fnv.add(std::bit_cast<double>(digest));
+  bool has_people = false;
+  for (const Criterion& criterion : criteria) {
+    if (criterion.quantity == Quantity::kMotionSickness) {
+      fnv.add(criterion.exposure);
+    } else if (criterion.quantity == Quantity::kMotionInterruptions) {
+      fnv.add(criterion.stance.height);
+      fnv.add(criterion.stance.half_width_ratio);
+    } else {
+      continue;
+    }
+    has_people = true;
+  }
+  return has_people ? fnv.as_int64() : digest;
+}
+
+}  // namespace
+
 void to_message(const Criteria& criteria, const Hull& hull, std::string_view profile_name, limits_t& out) {
   const limits_t sent = out;
   out = limits_t{};
@@ -49,6 +73,7 @@ void to_message(const Criteria& criteria, const Hull& hull, std::string_view pro
   }
   std::array<std::uint8_t, 4096> scratch;  // the type takes 2,816 bytes (pinned in tests/msgs)
   QS_CHECK(seal(out, scratch));
+  out.digest = digest_with_people(criteria, out.digest);
   out.utime = sent.utime;
   out.seq = sent.seq;
   out.source_id = sent.source_id;

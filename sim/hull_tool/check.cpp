@@ -13,7 +13,9 @@
 #include "sim/hull_tool/check_remarks.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/limits_option.hpp"
 #include "sim/hull_tool/quality_text.hpp"
+#include "sim/hull_tool/quantity_name.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
@@ -112,7 +114,26 @@ void report_swell_up(const FloatingHull& ship, std::string& text) {
                    static_swell_up(*model, ship.hull.lpp).rise(fastest), to_knots(fastest)));
 }
 
-void run(const std::string& file) {
+// What of a profile this hull file gives no place for.
+void report_limits(const LimitsProfile& profile, std::string& text) {
+  std::size_t unwatched = 0;
+  for (const Criterion& criterion : profile.criteria) {
+    unwatched += criterion.is_watched() ? 0U : 1U;
+  }
+  line(text, "limits",
+       fmt::format("\"{}\": {} criteria, {}", profile.name.view(), profile.criteria.size(),
+                   unwatched == 0 ? "all watched"
+                                  : fmt::format("{} of them not watched: no cell will be good", unwatched)));
+  for (const Criterion& criterion : profile.criteria) {
+    if (!criterion.is_watched()) {
+      line(text, "not watched",
+           fmt::format("\"{}\" ({}): the hull file gives no place for it", criterion.name.view(),
+                       name_of(criterion.quantity).name));
+    }
+  }
+}
+
+void run(const std::string& file, const std::string& limits) {
   const auto ship = float_hull(file);
   std::string text;
   report_stations(*ship, text);
@@ -127,8 +148,12 @@ void run(const std::string& file) {
   for (const std::string& remark : warnings_of(*ship)) {
     line(text, "warning", remark);
   }
-  for (const std::string& remark : unwatched_of(*ship)) {
-    line(text, "not watched", remark);
+  if (limits.empty()) {
+    for (const std::string& remark : unwatched_of(*ship)) {
+      line(text, "not watched", remark);
+    }
+  } else {
+    report_limits(limits_of(limits, *ship), text);
   }
   print_result(text + "ok\n");
 }
@@ -139,8 +164,10 @@ void add_check(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("check", "Is this file one that the advisor will load? Ends with \"ok\"");
   const auto file = std::make_shared<std::string>();
+  const auto limits = std::make_shared<std::string>();
   add_hull_argument(*command, *file);
-  command->callback([file] { run(*file); });
+  add_limits_option(*command, *limits);
+  command->callback([file, limits] { run(*file, *limits); });
 }
 
 }  // namespace quickstrip::hull_tool

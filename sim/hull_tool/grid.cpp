@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "core/advice/nordforsk.hpp"
 #include "core/advisor.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
@@ -17,6 +16,7 @@
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
+#include "sim/hull_tool/limits_option.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/sea_options.hpp"
 
@@ -25,6 +25,7 @@ namespace {
 
 struct Options {
   std::string file;
+  std::string limits;
   MethodOptions method;
   SeaOptions sea;
   int repeat = 1;
@@ -119,10 +120,9 @@ void add_rows(const StepOutput& output, const Criteria& criteria, Csv& csv) {
 
 void run(const Options& options) {
   const auto ship = float_hull(options.file);
-  const Result<Criteria> criteria = nordforsk_merchant(ship->hull);
+  const Criteria criteria = limits_of(options.limits, *ship).criteria;
   const auto advisor = std::make_unique<Advisor>();
-  const Status configured = criteria ? advisor->configure(ship->hull, *criteria, options.method.method())
-                                     : Status(criteria.error());
+  const Status configured = advisor->configure(ship->hull, criteria, options.method.method());
   if (!configured) {
     throw InputError{explain(configured.error(), *ship, {})};
   }
@@ -135,7 +135,7 @@ void run(const Options& options) {
   } else {
     inputs.sea_state = &sea->systems;
   }
-  Csv csv(header(*criteria));
+  Csv csv(header(criteria));
   for (int i = 0; i < options.repeat; ++i) {
     const auto start = std::chrono::steady_clock::now();
     const StepOutput& output = advisor->step(inputs);
@@ -148,7 +148,7 @@ void run(const Options& options) {
       fmt::print(stderr, "cycle {}: {:.2f} ms\n", i + 1, took.count());
     }
     if (i + 1 == options.repeat) {
-      add_rows(output, *criteria, csv);
+      add_rows(output, criteria, csv);
       fmt::print(stderr, "unknown: {:.1f} % of the cells at steerage speed and above\n",
                  100.0 * output.unknown_share);
     }
@@ -163,6 +163,7 @@ void add_grid(CLI::App& app) {
       app.add_subcommand("grid", "The advisor's verdict on every heading and speed in one sea");
   const auto options = std::make_shared<Options>();
   add_hull_argument(*command, options->file);
+  add_limits_option(*command, options->limits);
   add_method_options(*command, options->method);
   const SeaOptionHandles handles = add_sea_options(*command, options->sea);
   command->add_option("--repeat", options->repeat, "steps to run; their times on standard error")

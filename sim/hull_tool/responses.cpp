@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/advice/cell_response.hpp"
-#include "core/advice/nordforsk.hpp"
+#include "core/advice/people_channels.hpp"
 #include "core/response/local_watch.hpp"
 #include "core/response/moments.hpp"
 #include "core/response/short_term.hpp"
@@ -17,6 +17,7 @@
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/limits_option.hpp"
 #include "sim/hull_tool/local_options.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/quantity_name.hpp"
@@ -28,6 +29,7 @@ namespace {
 
 struct Options {
   StripOptions strip;
+  std::string limits;
   SpectrumOptions spectrum;
   std::vector<double> speeds_kn;
   std::vector<double> mus_deg;
@@ -56,6 +58,7 @@ struct LocalWatch {
 
 // All that one speed needs; some MB, on the heap.
 struct Solved {
+  LimitsProfile limits;
   TransferWorkspace work;
   TransferFunctions transfer;
   Watch watch;
@@ -137,15 +140,12 @@ void add_local_rows(const Options& options, const Circumstance& at, double speed
 
 void add_rows(const Options& options, const StripShip& ship, double speed_kn, Solved& s, Csv& csv) {
   const Hull& hull = ship.floating->hull;
-  const Result<Criteria> criteria = nordforsk_merchant(hull);
-  if (!criteria) {
-    throw InputError{ship.floating->file + ": " + message(criteria.error())};
-  }
+  const Criteria& criteria = s.limits.criteria;
   const double speed = from_knots(speed_kn);
   refuse(ship.floating->file,
          solve_transfer_functions(*ship.loaded, std::span(&speed, 1), s.work, s.transfer));
-  const CriteriaChannels channels = bind_criteria(*criteria, s.watch);
-  GridInputs inputs{s.transfer, s.watch, *criteria, channels, s.sea};
+  const CriteriaChannels channels = bind_criteria(criteria, s.watch);
+  GridInputs inputs{s.transfer, s.watch, criteria, channels, s.sea};
   inputs.lpp = hull.lpp;
   inputs.quality = ship.quality;
   inputs.wants_all_bandwidths = true;
@@ -157,7 +157,10 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
     refuse(ship.floating->file, respond(inputs, Heading{0.0}, speed, s.cell));
     const Circumstance at{speed_kn, mu_deg, s.cell.cell.quality};
     for (const QuantityResponse& q : s.cell.quantities) {
-      add_row(options, at, q, place_of(q.quantity, q.place, hull), csv);
+      const char* const side = q.quantity != Quantity::kMotionInterruptions ? ""
+                               : q.to_starboard                             ? " to starboard"
+                                                                            : " to port";
+      add_row(options, at, q, place_of(q.quantity, q.place, hull) + side, csv);
     }
     add_resistance_row(at, "added_resistance", s.cell.cell.added_resistance, csv);
     add_resistance_row(at, "added_resistance_empirical", s.cell.cell.added_resistance_empirical, csv);
@@ -212,6 +215,8 @@ void run(const Options& options) {
       !listed) {
     throw InputError{explain(listed.error(), floating, options.strip.loading)};
   }
+  solved->limits = limits_of(options.limits, floating);
+  refuse(options.limits, list_people_channels(solved->limits.criteria, solved->watch));
   list_points(options, ship, *solved);
   list_relative_motions(ship, *solved);
   Csv csv(kHeader);
@@ -227,6 +232,7 @@ void add_responses(CLI::App& app) {
   CLI::App* command = app.add_subcommand("responses", "Statistics of every watched quantity in one sea");
   const auto options = std::make_shared<Options>();
   add_strip_options(*command, options->strip);
+  add_limits_option(*command, options->limits);
   add_spectrum_options(*command, options->spectrum, true);
   add_list(*command, "--speed-kn", options->speeds_kn, {0.0, 60.0}, "speeds [kn]")->required();
   add_list(*command, "--mu-deg", options->mus_deg, kDirections_deg,
@@ -238,6 +244,9 @@ void add_responses(CLI::App& app) {
   command->footer(
       "rms and significant (single amplitude) of slamming, deck_wetness and propeller_emergence are those of "
       "the vertical relative motion; probability is per wave encounter, exceedance per oscillation. "
+      "motion_sickness and motion_interruptions are there where --limits asks for them: those of the "
+      "vertical "
+      "acceleration, with the share of people in two hours, and of what tips, by side. "
       "bandwidth: "
       "epsilon, 0 narrow ... 1 wide; quality says wide_band where the maxima are no longer Rayleigh's; of "
       "relative motions it rests on the highest wave frequency. mean: of added_resistance, + aft; empty "

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/advice/nordforsk.hpp"
+#include "core/advice/people_channels.hpp"
 #include "core/base/angles.hpp"
 #include "tests/response/synthetic.hpp"
 
@@ -104,6 +105,56 @@ TEST_F(CriteriaProfile, RefusesStatisticsThatDoNotSuitTheQuantity) {
   EXPECT_FALSE(check({.quantity = Quantity::kRoll, .statistic = Statistic::kProbability, .limit = 0.1}).ok());
   EXPECT_FALSE(check({.quantity = Quantity::kSlamming, .statistic = Statistic::kRms, .limit = 0.1}).ok());
   EXPECT_TRUE(check({.quantity = Quantity::kSlamming, .statistic = Statistic::kPerHour, .limit = 5.0}).ok());
+}
+
+TEST_F(CriteriaProfile, PeopleAreJudgedByTheirOwnStatisticsAlone) {
+  for (const Statistic statistic : {Statistic::kRms, Statistic::kSignificant, Statistic::kProbability,
+                                    Statistic::kPerHour, Statistic::kShareOfPeople, Statistic::kPerMinute}) {
+    EXPECT_EQ(check({.quantity = Quantity::kMotionSickness, .statistic = statistic, .limit = 0.1}).ok(),
+              statistic == Statistic::kShareOfPeople);
+    EXPECT_EQ(check({.quantity = Quantity::kMotionInterruptions, .statistic = statistic, .limit = 0.1}).ok(),
+              statistic == Statistic::kPerMinute);
+  }
+  Criterion sick{.quantity = Quantity::kMotionSickness, .statistic = Statistic::kShareOfPeople, .limit = 0.2};
+  for (const double exposure : {-1.0, 60.0, 1e6, std::nan("")}) {
+    sick.exposure = exposure;
+    EXPECT_FALSE(check(sick).ok()) << exposure;
+  }
+  Criterion standing{
+      .quantity = Quantity::kMotionInterruptions, .statistic = Statistic::kPerMinute, .limit = 1.0};
+  for (const Stance& stance : {Stance{0.0, 0.25}, Stance{1.2, std::nan("")}, Stance{1.2, 1.0}}) {
+    standing.stance = stance;
+    EXPECT_FALSE(check(standing).ok());
+  }
+}
+
+TEST_F(CriteriaProfile, InterruptionsAtOnePlaceHaveOneStance) {
+  Criteria criteria;
+  const Criterion standing{
+      .quantity = Quantity::kMotionInterruptions, .statistic = Statistic::kPerMinute, .limit = 1.0};
+  ASSERT_TRUE(criteria.push_back(standing) && criteria.push_back(standing));
+  EXPECT_TRUE(check_criteria(criteria, *hull_).ok());
+  criteria[1].stance.half_width_ratio = 0.17;
+  EXPECT_FALSE(check_criteria(criteria, *hull_).ok());
+  criteria[1].place = 1;
+  EXPECT_TRUE(check_criteria(criteria, *hull_).ok());
+}
+
+TEST_F(CriteriaProfile, SaysNoToMorePeopleThanTheWatchHasRoomFor) {
+  Watch watch;
+  Criteria criteria;
+  for (std::uint8_t place = 0; place < kMaxPoints; ++place) {
+    ASSERT_TRUE(watch.channels.push_back({.quantity = Quantity::kVerticalAcceleration, .place = place}));
+  }
+  for (std::uint8_t place = 0; place <= kMaxPeopleChannels / 2; ++place) {
+    EXPECT_TRUE(list_people_channels(criteria, watch).ok());
+    ASSERT_TRUE(criteria.push_back({.quantity = Quantity::kMotionInterruptions,
+                                    .place = place,
+                                    .statistic = Statistic::kPerMinute,
+                                    .limit = 1.0}));
+    ASSERT_TRUE(watch.channels.resize(kMaxPoints));
+  }
+  EXPECT_EQ(list_people_channels(criteria, watch).error(), Error::kTooMany);
 }
 
 TEST_F(CriteriaProfile, RefusesLimitsThatAreNotPositiveNumbersAndPlacesThatDoNotExist) {

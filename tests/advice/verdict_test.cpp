@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -211,22 +212,39 @@ TEST_P(MarginLaw, WaveHeightsScaledByTheMarginLandOnTheLimit) {
   const Criterion& criterion = GetParam();
   auto scene = std::make_unique<Scene>();
   synthetic::add_system(scene->sea, scene->transfer, 3.0, 7.0, 8, 6);
+  Criteria people;
+  ASSERT_TRUE(people.push_back(criterion));
+  ASSERT_TRUE(list_people_channels(people, scene->watch).ok());
   const std::size_t c = find_channel(scene->watch, criterion.quantity, criterion.place);
   ASSERT_LT(c, scene->watch.channels.size());
   const Channel& channel = scene->watch.channels[c];
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(scene->watch.channels.size());
+  const auto of_criterion = moments_of(criterion, c, moments);
   ASSERT_TRUE(
       response_moments(scene->transfer, scene->watch, scene->sea, {radians(30.0)}, 4.5, moments).ok());
-  const double margin = height_margin(criterion, channel, 0.0, std::span(moments).subspan(c, 1));
+  const double margin = height_margin(criterion, channel, 0.0, of_criterion);
   ASSERT_GT(margin, 0.05);
   ASSERT_LT(margin, 50.0);
   ASSERT_GT(std::abs(margin - 1.0), 0.02);  // otherwise nothing is tested
   synthetic::scale_heights(scene->sea, margin);
   ASSERT_TRUE(
       response_moments(scene->transfer, scene->watch, scene->sea, {radians(30.0)}, 4.5, moments).ok());
-  EXPECT_NEAR(criterion_value(criterion, channel, 0.0, std::span(moments).subspan(c, 1)) / criterion.limit,
-              1.0, 1e-10);
+  EXPECT_NEAR(criterion_value(criterion, channel, 0.0, of_criterion) / criterion.limit, 1.0, 1e-10);
+}
+
+Criterion sick(double limit, double exposure) {
+  return {.quantity = Quantity::kMotionSickness,
+          .statistic = Statistic::kShareOfPeople,
+          .limit = limit,
+          .exposure = exposure};
+}
+
+Criterion tipping(double per_minute, double half_width_ratio) {
+  return {.quantity = Quantity::kMotionInterruptions,
+          .statistic = Statistic::kPerMinute,
+          .limit = per_minute,
+          .stance = {1.2, half_width_ratio}};
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -239,7 +257,43 @@ INSTANTIATE_TEST_SUITE_P(
         Criterion{.quantity = Quantity::kSlamming, .statistic = Statistic::kProbability, .limit = 0.02},
         Criterion{.quantity = Quantity::kSlamming, .statistic = Statistic::kPerHour, .limit = 5.0},
         Criterion{.quantity = Quantity::kDeckWetness, .statistic = Statistic::kProbability, .limit = 0.05},
-        Criterion{.quantity = Quantity::kDeckWetness, .statistic = Statistic::kPerHour, .limit = 30.0}));
+        Criterion{.quantity = Quantity::kDeckWetness, .statistic = Statistic::kPerHour, .limit = 30.0},
+        sick(0.1, 0.0), sick(0.2, 4.0 * 3600.0), sick(0.01, 1800.0), tipping(1.0, 0.25), tipping(0.1, 0.25),
+        tipping(5.0, 0.17)));
+
+TEST(Margin, OfInterruptionsIsUnboundedWhenThereAreFewerOscillationsThanAllowed) {
+  const Criterion criterion = tipping(20.0, 0.25);
+  const Channel channel{.quantity = Quantity::kMotionInterruptions, .level = 0.25 * kStandardGravity};
+  const std::array sides{ResponseMoments{.m0 = 100.0, .m2 = 100.0},  // 9.5 a minute, each
+                         ResponseMoments{.m0 = 90.0, .m2 = 90.0}};
+  EXPECT_EQ(height_margin(criterion, channel, 0.0, sides), static_cast<double>(kMarginUnbounded));
+  const std::array still{ResponseMoments{}, ResponseMoments{}};
+  EXPECT_EQ(height_margin(tipping(1.0, 0.25), channel, 0.0, still), static_cast<double>(kMarginUnbounded));
+}
+
+TEST_F(VerdictRules, InterruptionsAreTheSumOfBothSidesAndTheirSystemsToo) {
+  Scene scene;
+  ASSERT_TRUE(scene.criteria.push_back(tipping(1.0, 0.25)));
+  const std::size_t index = scene.criteria.size() - 1;
+  ASSERT_TRUE(list_people_channels(scene.criteria, scene.watch).ok());
+  scene.channels = bind_criteria(scene.criteria, scene.watch);
+  synthetic::add_system(scene.sea, scene.transfer, 6.0, 9.0, 8, 6);
+  scene.sweep();
+  const std::size_t c = scene.channels.of_criterion[index];
+  EXPECT_TRUE(scene.channels.is_watched[c] && scene.channels.is_watched[c + 1]);
+  double largest = 0.0;
+  for (std::size_t h = 0; h < scene.grid.num_headings; h += 7) {
+    const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(scene.grid.num_headings)};
+    ASSERT_TRUE(respond(scene.inputs(), heading, scene.grid.speeds[3], scene.response).ok());
+    const auto& of = scene.response.quantities;
+    const double per_minute = (of[c].per_hour + of[c + 1].per_hour) / 60.0;
+    const double value = static_cast<double>(scene.grid.cells[3][h].values[index]);
+    EXPECT_NEAR(value, per_minute, 1e-6 * per_minute + 1e-12) << h;  // kept in single precision
+    EXPECT_TRUE(!of[c].to_starboard && of[c + 1].to_starboard);
+    largest = std::max(largest, value);
+  }
+  EXPECT_GT(largest, 0.1);
+}
 
 TEST(Margin, IsUnboundedWhenThereAreFewerOscillationsThanEventsAllowed) {
   const Criterion criterion{

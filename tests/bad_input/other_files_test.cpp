@@ -110,6 +110,40 @@ TEST(BadLimitsFile, EverythingWrongIsRefusedByName) {
     expect_line(wrong.what, limits_line(edited(kLimits, wrong.from, wrong.to)), wrong.words);
   }
   expect_line("none", limits_line("schema = 1\nname = \"x\"\n"), {"criterion: none given"});
+  const auto one = [](const std::string& lines) {
+    return limits_line("schema = 1\nname = \"x\"\n[[criterion]]\nname = \"c\"\n" + lines);
+  };
+  const std::string roll = "quantity = \"roll\"\nstatistic = \"rms\"\n";
+  const std::string sick = "quantity = \"motion_sickness\"\nstatistic = \"share_of_people\"\n";
+  const std::string stand = "quantity = \"motion_interruptions\"\nstatistic = \"per_minute\"\n";
+  expect_line("sickness by RMS", one("quantity = \"motion_sickness\"\nstatistic = \"rms\"\nlimit_g = 0.1\n"),
+              {"criterion[1].statistic = \"rms\"", "\"share_of_people\""});
+  expect_line("roll by the minute", one("quantity = \"roll\"\nstatistic = \"per_minute\"\n"),
+              {"criterion[1].statistic = \"per_minute\"", "\"rms\", \"significant\""});
+  expect_line("a share as a part", one(sick + "limit_probability = 0.2\n"),
+              {"criterion[1].limit_probability = 0.2", "limit_percent"});
+  expect_line("200 %", one(sick + "limit_percent = 200\n"),
+              {"criterion[1].limit_percent = 200", "99.9 % of people"});
+  expect_line("a second", one(sick + "limit_percent = 20\nexposure_min = 0.0167\n"),
+              {"criterion[1].exposure_min = 0.0167", "5 to 1440 minutes"});
+  expect_line("roll for 4 h", one(roll + "limit_deg = 6\nexposure_min = 240\n"),
+              {"criterion[1].exposure_min = 240", "motion_sickness"});
+  expect_line("rolling stance", one(roll + "limit_deg = 6\nstance_height_m = 1.2\n"),
+              {"criterion[1].stance_height_m = 1.2", "motion_interruptions"});
+  expect_line("a giant", one(stand + "limit_per_minute = 1\nstance_height_m = 12\n"),
+              {"criterion[1].stance_height_m = 12", "0.5 to 2 m"});
+  expect_line("by the hour", one(stand + "limit_per_hour = 60\n"),
+              {"criterion[1].limit_per_hour = 60", "limit_per_minute"});
+  expect_line("one length", one(roll + "limit_deg_by_length = [[100, 6]]\n"),
+              {"criterion[1].limit_deg_by_length[1]", "two lengths"});
+  expect_line("lengths", one(roll + "limit_deg_by_length = [[100, 6], [90, 5]]\n"),
+              {"criterion[1].limit_deg_by_length[2]", "increasing"});
+  expect_line("length and not", one(roll + "limit_deg = 6\nlimit_deg_by_length = [[100, 6], [200, 5]]\n"),
+              {"criterion[1].limit_deg_by_length", "only one limit"});
+  expect_line("wrong limit by length", one(roll + "limit_deg_by_length = [[100, 6], [200, 900]]\n"),
+              {"criterion[1].limit_deg_by_length[2][2] = 900", "90 degrees"});
+  expect_line("unit", one(roll + "limit_g_by_length = [[100, 6], [200, 9]]\n"),
+              {"criterion[1].limit_g_by_length", "limit_deg"});
   std::string many = kLimits.substr(0, kLimits.find("[["));
   for (int i = 0; i < 33; ++i) {
     many += "[[criterion]]\nname = \"r" + std::to_string(i) +

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <memory>
 #include <string>
+#include <utility>
 
+#include "core/advice/nordforsk.hpp"
 #include "core/base/angles.hpp"
 #include "msgs/files/hull_file.hpp"
 
@@ -74,6 +78,126 @@ TEST(LimitsFile, ARoleThatTheHullHasNotIsKeptAsNotWatched) {
   ASSERT_EQ(p.criteria.size(), 1u);
   EXPECT_EQ(p.criteria[0].place, kNowhere);
   EXPECT_FALSE(p.criteria[0].is_watched());
+}
+
+std::string shipped(const std::string& name) {
+  return std::string(QUICKSTRIP_SOURCE_DIR) + "/firmware/profiles/" + name + ".limits.toml";
+}
+
+constexpr std::array kShipped{
+    "nordforsk_merchant", "nordforsk_light_work", "nordforsk_heavy_work", "nordforsk_intellectual_work",
+    "passengers_transit", "passengers_cruise",    "naval_transit",        "quickstrip_cargo"};
+
+TEST(Profiles, NordforskForMerchantShipsIsTheOneThatIsBuiltIn) {
+  for (const double lpp : {60.0, 100.0, 175.0, 250.0, 315.0, 400.0}) {
+    for (const bool has_places : {true, false}) {
+      Hull hull = s175();
+      hull.lpp = lpp;
+      if (!has_places) {
+        hull.points.clear();
+        hull.slamming.clear();
+        hull.freeboard.clear();
+      }
+      LimitsProfile profile;
+      ASSERT_EQ(read_limits_file(shipped("nordforsk_merchant"), hull, profile).line(), "");
+      const auto built_in = nordforsk_merchant(hull);
+      ASSERT_EQ(profile.criteria.size(), built_in->size());
+      EXPECT_EQ(profile.name.view(), "NORDFORSK 1987, merchant ships");
+      for (std::size_t i = 0; i < built_in->size(); ++i) {
+        const Criterion& ours = profile.criteria[i];
+        const Criterion& theirs = (*built_in)[i];
+        EXPECT_EQ(ours.name.view(), theirs.name.view());
+        EXPECT_EQ(ours.quantity, theirs.quantity);
+        EXPECT_EQ(ours.place, theirs.place) << theirs.name.view();
+        EXPECT_EQ(ours.statistic, theirs.statistic);
+        EXPECT_EQ(ours.limit, theirs.limit) << theirs.name.view() << ", " << lpp << " m";  // bit for bit
+        EXPECT_EQ(ours.caution_fraction, theirs.caution_fraction);
+      }
+    }
+  }
+}
+
+TEST(Profiles, OfEveryKindFitEveryShipAndSayWhatTheyCannotWatch) {
+  for (const char* profile_name : kShipped) {
+    for (const char* ship : {"s175", "tanker", "trawler", "shortest", "wigley_i"}) {
+      const auto hull = std::make_unique<Hull>();
+      const std::string file = std::string(QUICKSTRIP_SOURCE_DIR) + "/sim/hulls/" + ship + ".hull.toml";
+      ASSERT_TRUE(read_hull_file(file, *hull).ok());
+      LimitsProfile profile;
+      ASSERT_EQ(read_limits_file(shipped(profile_name), *hull, profile).line(), "");
+      EXPECT_TRUE(check_criteria(profile.criteria, *hull).ok()) << profile_name << ", " << ship;
+      const std::size_t num_criteria = profile.criteria.size();
+      hull->points.clear();
+      hull->slamming.clear();
+      hull->freeboard.clear();
+      hull->propeller.reset();
+      ASSERT_EQ(read_limits_file(shipped(profile_name), *hull, profile).line(), "");
+      EXPECT_LE(profile.criteria.size(), num_criteria);
+      for (const Criterion& criterion : profile.criteria) {
+        EXPECT_EQ(criterion.is_watched(), criterion.quantity <= Quantity::kYaw) << criterion.name.view();
+      }
+    }
+  }
+}
+
+TEST(Profiles, OfTheNavyCountByTheHourAndHaveNoPassengers) {
+  LimitsProfile p;
+  ASSERT_EQ(read_limits_file(shipped("naval_transit"), s175(), p).line(), "");
+  const auto find = [&p](Quantity quantity) {
+    for (const Criterion& criterion : p.criteria) {
+      if (criterion.quantity == quantity) {
+        return criterion;
+      }
+    }
+    ADD_FAILURE();
+    return Criterion{};
+  };
+  EXPECT_EQ(find(Quantity::kMotionSickness).limit, 0.2);  // STANAG 4154: 20 % in 4 h
+  EXPECT_EQ(find(Quantity::kMotionSickness).exposure, 4.0 * 3600.0);
+  EXPECT_EQ(find(Quantity::kMotionInterruptions).limit, 1.0);
+  for (const auto& [quantity, per_hour] :
+       {std::pair{Quantity::kDeckWetness, 30.0}, std::pair{Quantity::kSlamming, 20.0},
+        std::pair{Quantity::kPropellerEmergence, 90.0}}) {
+    EXPECT_EQ(find(quantity).statistic, Statistic::kPerHour);
+    EXPECT_EQ(find(quantity).limit, per_hour);
+  }
+}
+
+TEST(LimitsFile, LimitsByLengthAreLinearBetweenAndConstantBeyond) {
+  Hull hull = s175();
+  const std::string lines = criterion(
+      "quantity = \"pitch\"\nstatistic = \"rms\"\nlimit_deg_by_length = [[100, 3.0], [200, 2.0], "
+      "[300, 1.5]]\n");
+  for (const auto& [lpp, expected] : {std::pair{50.0, 3.0}, std::pair{100.0, 3.0}, std::pair{125.0, 2.75},
+                                      std::pair{200.0, 2.0}, std::pair{250.0, 1.75}, std::pair{400.0, 1.5}}) {
+    hull.lpp = lpp;
+    LimitsProfile profile;
+    ASSERT_EQ(parse_limits(lines, "l.toml", hull, profile).line(), "");
+    EXPECT_NEAR(profile.criteria[0].limit, radians(expected), 1e-15) << lpp;
+  }
+}
+
+TEST(LimitsFile, PeopleHaveAPlaceOfTheirOwnATimeAndAStance) {
+  Hull hull = s175();
+  ASSERT_TRUE(hull.points.push_back({Name("saloon"), PointRole::kPassengers, 60.0, 0.0, 20.0}));
+  ASSERT_TRUE(hull.points.push_back({Name("hatch"), PointRole::kDeck, 90.0, 5.0, 16.0}));
+  const auto read = [&hull](const std::string& lines) {
+    LimitsProfile profile;
+    EXPECT_EQ(parse_limits(criterion(lines), "l.toml", hull, profile).line(), "");
+    return profile.criteria[0];
+  };
+  const std::string sick =
+      "quantity = \"motion_sickness\"\nstatistic = \"share_of_people\"\nlimit_percent = 10\n";
+  EXPECT_EQ(hull.points[read(sick).place].name.view(), "saloon");
+  EXPECT_EQ(read(sick).limit, 0.1);
+  EXPECT_EQ(read(sick).exposure, 0.0);
+  EXPECT_EQ(read(sick + "exposure_min = 240\nrole = \"bridge\"\n").exposure, 14'400.0);
+  const std::string stand =
+      "quantity = \"motion_interruptions\"\nstatistic = \"per_minute\"\nlimit_per_minute = 0.5\n";
+  EXPECT_EQ(hull.points[read(stand).place].name.view(), "hatch");
+  EXPECT_EQ(read(stand).stance, Stance{});
+  EXPECT_EQ(read(stand + "stance_height_m = 1.0\nstance_half_width_ratio = 0.17\n").stance,
+            (Stance{1.0, 0.17}));
 }
 
 TEST(LimitsFile, WhatIsWrongIsNamed) {
