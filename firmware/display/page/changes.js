@@ -33,10 +33,10 @@ function surely(exceeded, members) {
 function row(change, i, members, onChoose) {
   const mark = svg('svg', { viewBox: '-50 -50 100 100' });
   mark.append(...verdictMark(change.verdict));
-  const kind = KIND[change.kind] ?? '';
+  const kind = change.kind === 0 && change.verdict >= 3 ? 'Smallest that helps' : KIND[change.kind] ?? '';
   const turn = change.turn?.text;
   const sure = surely(change.members_exceeded, members);
   const [what, ...rest] = change.text.split(': ');
   return el('div', { class: 'change clickable', onclick: () => onChoose(change.to_heading_deg, change.to_speed_kn), 'aria-label': `Change ${i + 1}, ${VERDICT[change.verdict]}` },
-    mark, el('div', {}, el('b', {}, `${i + 1}  ${what}`), el('span', {}, `${kind ? `${kind}: ` : ''}${rest.join(': ')}${sure ? `. ${sure}` : ''}`), turn ? el('span', { class: 'turn' }, turn) : null));
+    mark, el('div', {}, el('b', {}, `${i + 1}  ${what}`), el('span', {}, `${kind ? `${kind}: ` : ''}${rest.join(': ')}${sure ? `${rest.join('').endsWith('…') ? '' : '.'} ${sure}` : ''}`), turn ? el('span', { class: 'turn' }, turn) : null));
 }
