@@ -157,6 +157,11 @@ outlook_t outlook_at(std::int64_t utime, std::int32_t seq) {
   m.expected_max_pitch_deg = 4.2;
   m.expected_max_heave_m = -1.0;
   m.next_criterion = -1;
+  m.unknown_share = 0.1;
+  m.std_assumed = 9;  // wave height, GM
+  m.roll_period_low_s = 15.8;
+  m.roll_period_high_s = 19.3;
+  m.roll_period_kind = outlook_t::PERIOD_COMPUTED;
   m.change_exceeded[0] = 2;
   m.turn_max_roll_deg[0] = 18.0;
   put_text("Coming to 095 passes beam-on, 18° likely", m.turn_text[0]);

@@ -39,7 +39,20 @@ TEST_F(Browser, ShowsTheAdviceAndFollowsIt) {
   EXPECT_NE(driver().text("#panel-measured").find("predicted 3.1°, measured 4.0°"), std::string::npos);
   EXPECT_NE(driver().text("#panel-measured").find("Confidence lowered"), std::string::npos);
   EXPECT_EQ(driver().run("return document.querySelectorAll('.cell').length"), 1800);
+  EXPECT_EQ(driver().text("#legend-unknown-hatch-0"), "not known: 10 % of the picture");
   keep_picture("live_day");
+  driver().click("#tab-inputs");
+  const std::string inputs = driver().text("#panel-inputs");
+  for (const char* const part :
+       {"Waves 3.2 m, 11.0 s peak period, from 240°", "wave radar", "the ship's file",
+        "Uncertainty assumed, for no input gives it: wave height, GM.",
+        "Natural roll period 15.8 to 19.3 s, computed.", "running, cycle 0.20 s"}) {
+    EXPECT_NE(inputs.find(part), std::string::npos) << part << " in " << inputs;
+  }
+  keep_picture("inputs_day");
+  driver().click("#tab-measured");
+  EXPECT_NE(driver().text("#limits-table").find("Deck wetness at bow1.0"), std::string::npos);
+  keep_picture("motions_day");
   bridge.say([](advice_t& advice) {
     advice.verdict = advice_t::VERDICT_EXCEEDED;
     advice.margin = 0.87;

@@ -21,7 +21,7 @@ export function drawInputs(state, nowMs, withdraw) {
   if (panel.hidden) return;
   parts.table.replaceChildren(el('tr', {}, el('th', {}, 'Input'), el('th', {}, 'Use'), el('th', {}, 'Age'), el('th', {}, 'Source')),
     ...state.inputs.map((input) => inputRow(input, state, nowMs)));
-  parts.sea.replaceChildren(...state.sea.systems.map((s) => el('p', {}, capital(systemWords(s)))));
+  parts.sea.replaceChildren(...state.sea.systems.map((s) => el('p', {}, capital(systemWords(s)))), ...assumed(state).map((words) => el('p', {}, words)));
   if (entered !== JSON.stringify(state.entries)) {
     entered = JSON.stringify(state.entries);
     parts.entries.replaceChildren(...entries(state, withdraw));
@@ -42,6 +42,18 @@ function inputRow(input, state, nowMs) {
   return el('tr', {}, el('td', {}, NAME[input.input]), el('td', {}, USE[input.use] ?? ''),
     el('td', { class: stale ? 'stale' : '' }, age === null || age === undefined || input.use === 3 ? '–' : duration(age)),
     el('td', {}, `${source}${input.source_id ? ` (no. ${input.source_id})` : ''}${refused}`));
+}
+
+// What no input gave: said, because the advice rests on it.
+function assumed({ advice, outlook }) {
+  const named = (bits, names) => names.filter((_, i) => bits & (1 << i)).join(', ');
+  const list = [];
+  const sea = named(advice?.sea_assumptions ?? 0, ['spreading (25°)', 'shape (Bretschneider)', 'peakedness (3.3)']);
+  if (sea) list.push(`Of the sea assumed: ${sea}.`);
+  const uncertainty = named(outlook?.std_assumed ?? 0, ['wave height', 'period', 'direction', 'GM', 'roll damping']);
+  if (uncertainty && outlook.num_members > 0) list.push(`Uncertainty assumed, for no input gives it: ${uncertainty}.`);
+  if (outlook?.roll_period_low_s) list.push(`Natural roll period ${outlook.roll_period_low_s.toFixed(1)} to ${outlook.roll_period_high_s.toFixed(1)} s, ${outlook.roll_period_kind === 2 ? 'measured' : 'computed'}.`);
+  return list;
 }
 
 function entries(state, withdraw) {

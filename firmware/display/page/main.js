@@ -11,7 +11,7 @@ import { drawAlerts } from './alerts.js';
 import { explain, takeAnswer, setCellState } from './cell.js';
 import { openSea, openLoading, openMark, openWithdraw, openClock, offsetWords, shipOffsetMin } from './entry.js';
 import { initPalette } from './palette.js';
-import { drawLegend } from './legend.js';
+import { drawLegend, drawUnknownShare } from './legend.js';
 import { clock, duration } from './words.js';
 
 const PANELS = ['changes', 'trends', 'measured', 'inputs', 'alerts'];
@@ -68,6 +68,7 @@ function takeState(newest) {
   const entered = ['sea', 'loading'].filter((kind) => state.entries[kind]);
   setText($('entered'), entered.length ? `${entered.join(' and ')} entered by hand` : '');
   drawState(state);
+  drawUnknownShare(state.outlook);
   drawChanges(state, (heading_deg, speed_kn) => explain({ heading_deg, speed_kn }));
   drawMeasured(state);
   drawInputs(state, timeOfAdvice(), openWithdraw);

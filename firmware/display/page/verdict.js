@@ -38,6 +38,7 @@ export function drawVerdict(state) {
   setText($('expected'), has ? expected(state) : '');
   setText($('members'), has ? members(state.outlook) : '');
   const notes = [...advice.hazard_words, ...advice.quality_words].map((note) => note.replace(/ \((IMO|band) [^)]*\)/, ''));
+  if (has && state.outlook?.better_in_s > 0) notes.unshift(`By itself this moment is ${words.verdictSentence(state.outlook.verdict_now)}; shown when it has lasted ${words.duration(state.outlook.better_in_s)} more`);
   setText($('notes-now'), has ? notes.join('. ') : '');
 }
 
