@@ -111,10 +111,30 @@ double expected(const CellResponse& cell, Quantity quantity, std::uint8_t place)
                              : to_rim(expected_largest(*response, kExpectAhead_s), rim_unit(quantity));
 }
 
+/// People who tip to either side.
+double expected_interruptions(const CellResponse& cell, std::uint8_t place) {
+  double sum = 0.0;
+  for (const QuantityResponse& response : cell.quantities) {
+    if (response.quantity == Quantity::kMotionInterruptions && response.place == place) {
+      sum += expected_largest(response, kExpectAhead_s);
+    }
+  }
+  return sum;
+}
+
+double expected(const CellResponse& cell, const Criterion& criterion) {
+  if (criterion.quantity == Quantity::kMotionSickness) {
+    return kUnknown;  // of hours, not of the time ahead
+  }
+  return criterion.quantity == Quantity::kMotionInterruptions
+             ? expected_interruptions(cell, criterion.place)
+             : expected(cell, criterion.quantity, criterion.place);
+}
+
 void put_expected(const CellResponse& cell, const Criteria& criteria, outlook_t& out) {
   for (std::size_t i = 0; i < criteria.size(); ++i) {
     if (criteria[i].is_watched()) {
-      out.expected_max[i] = expected(cell, criteria[i].quantity, criteria[i].place);
+      out.expected_max[i] = expected(cell, criteria[i]);
     }
   }
   out.expected_max_roll_deg = expected(cell, Quantity::kRoll, 0);

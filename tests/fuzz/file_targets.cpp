@@ -220,6 +220,24 @@ heading_step_deg = 90.0
 
 std::vector<Bytes> limits_seeds() {
   return {bytes_of(R"(schema = 1
+name = "people"
+[[criterion]]
+name = "sick at {place}"
+quantity = "motion_sickness"
+role = "bridge"
+statistic = "share_of_people"
+limit_percent = 20
+exposure_min = 240
+[[criterion]]
+name = "tips"
+quantity = "motion_interruptions"
+role = "bridge"
+statistic = "per_minute"
+limit_per_minute_by_length = [[100, 1.0], [300, 0.5]]
+stance_height_m = 1.1
+stance_half_width_ratio = 0.17
+)"),
+          bytes_of(R"(schema = 1
 name = "heavy work on deck"
 [[criterion]]
 name = "vertical acc."

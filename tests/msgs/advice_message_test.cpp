@@ -99,6 +99,28 @@ TEST(AdviceText, WhenNothingHelpsItSaysSo) {
   EXPECT_NE(out.view().find(": no other course or speed is better"), std::string_view::npos);
 }
 
+TEST(AdviceText, PeopleAreCountedInTheirOwnWords) {
+  const auto words = [](const Criterion& criterion, double value) {
+    Sentence out;
+    add_criterion(criterion, value, Cell{}, out);
+    return std::string(out.view());
+  };
+  Criterion sick{.name = Name("motion sickness at saloon"),
+                 .quantity = Quantity::kMotionSickness,
+                 .statistic = Statistic::kShareOfPeople,
+                 .limit = 0.1};
+  EXPECT_EQ(words(sick, 0.137), "motion sickness at saloon 14 % of people sick in 2 h, limit 10 % of people");
+  sick.exposure = 4.0 * 3600.0;
+  EXPECT_EQ(words(sick, 0.001),
+            "motion sickness at saloon 0.1 % of people sick in 4 h, limit 10 % of people");
+  EXPECT_EQ(words({.name = Name("interruptions at hatch"),
+                   .quantity = Quantity::kMotionInterruptions,
+                   .statistic = Statistic::kPerMinute,
+                   .limit = 1.0},
+                  1.234),
+            "interruptions at hatch 1.23/min, limit 1.00/min");
+}
+
 TEST(AdviceText, WhatIsNotWatchedIsNeverCalledGood) {
   Advice advice = slamming_advice();
   advice.present.verdict = Verdict::kUnknown;

@@ -18,12 +18,14 @@ fail() {
   exit 1
 }
 
-start_advisor() {  # start_advisor JOURNAL; returns when it listens
+start_advisor() {  # start_advisor JOURNAL [OPTION ...]; returns when it listens
+  local journal=$1
+  shift
   "$advisor" --hull "$source/sim/hulls/s175.hull.toml" --clock log --cycle-s 3600 --state "$work/state.log" \
-    2>"$1" &
+    "$@" 2>"$journal" &
   pid=$!
   for _ in $(seq 300); do
-    grep -q '^quickstrip-advisor' "$1" && return
+    grep -q '^quickstrip-advisor' "$journal" && return
     kill -0 "$pid" 2>/dev/null || fail "the advisor did not start"
     sleep 0.1
   done
@@ -69,6 +71,12 @@ kill -9 "$pid"
 wait "$pid" 2>/dev/null || true
 start_advisor "$work/journal2"
 grep -q '2 inputs restored' "$work/journal2" || fail "the last inputs were not restored"
+kill -TERM "$pid"
+wait "$pid" || fail "SIGTERM ended it with $?, not 0"
+! grep -q 'limits changed' "$work"/journal* || fail "limits changed, and nobody did it"
+start_advisor "$work/journal3" --limits "$source/firmware/profiles/quickstrip_cargo.limits.toml" --author "2nd mate"
+grep -q 'limits changed by 2nd mate: "NORDFORSK 1987, merchant ships" -> "Quickstrip cargo"' "$work/journal3" ||
+  fail "a change of limits was not told"
 kill -TERM "$pid"
 code=0
 wait "$pid" || code=$?
