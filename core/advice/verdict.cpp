@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/advice/interruptions_margin.hpp"
 #include "core/base/check.hpp"
 #include "core/response/deck_wetness.hpp"
-#include "core/response/interruptions.hpp"
 #include "core/response/motion_sickness.hpp"
 #include "core/response/short_term.hpp"
 #include "core/response/slamming.hpp"
@@ -42,51 +42,6 @@ double event_margin(const Criterion& criterion, const Channel& channel, double s
     probability = criterion.limit / per_hour;
   }
   return std::sqrt(event_exponent(channel, speed, moments) / -std::log(probability));
-}
-
-double sum_of_interruptions(double level, std::span<const ResponseMoments> sides) {
-  double sum = 0.0;
-  for (const ResponseMoments& side : sides) {
-    sum += interruptions_per_minute(level, side.m0, side.m2);
-  }
-  return sum;
-}
-
-/// With heights times f a side gives N exp(-E / f^2) a minute. In x = 1/f^2 the logarithm of the sum over
-/// the sides is convex and falls: Newton comes up to the root from the left, where one side alone starts.
-double interruptions_margin(double limit, double level, std::span<const ResponseMoments> sides) {
-  constexpr int kMostSteps = 60;
-  constexpr double kEnough = 1e-12;  // of x
-  const auto most = [](const ResponseMoments& side) {
-    return interruptions_per_minute(0.0, side.m0, side.m2);
-  };
-  double x = 0.0;
-  double all = 0.0;
-  for (const ResponseMoments& side : sides) {
-    all += most(side);
-    if (most(side) > limit) {
-      x = std::max(x, std::log(most(side) / limit) * 2.0 * side.m0 / (level * level));
-    }
-  }
-  if (!(all > limit)) {
-    return static_cast<double>(kMarginUnbounded);  // fewer oscillations than interruptions allowed
-  }
-  for (int i = 0; i < kMostSteps; ++i) {
-    double sum = 0.0;
-    double fall = 0.0;
-    for (const ResponseMoments& side : sides) {
-      const double exponent = side.m0 > 0.0 ? level * level / (2.0 * side.m0) : 0.0;
-      const double number = most(side) * std::exp(-exponent * x);
-      sum += number;
-      fall += exponent * number;
-    }
-    const double step = std::log(sum / limit) * sum / fall;
-    x += step;
-    if (!(std::fabs(step) > kEnough * x)) {
-      break;
-    }
-  }
-  return 1.0 / std::sqrt(x);
 }
 
 struct Tally {
