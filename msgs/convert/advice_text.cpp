@@ -204,9 +204,11 @@ void add_reasons(const Advice& advice, const Criteria& criteria, WaveSystems sys
     }
   }
   if (waits) {
-    out.add(". Better only lately: ");
-    add_duration(advice.better_in, out);
-    out.add(" until it counts");
+    Sentence part;
+    part.add(". Better only lately: ");
+    add_duration(advice.better_in, part);
+    part.add(" until it counts");
+    out.add_whole(part, kReasonBytes);
   }
   add_notes(now, out);
 }

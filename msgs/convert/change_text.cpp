@@ -10,7 +10,8 @@
 namespace quickstrip {
 namespace {
 
-constexpr double kNoChange = 1.0e-6;  // of speed [m/s] or heading [rad]: rounding of a grid node
+constexpr std::size_t kChangeBytes = 159;  // of its field, beside the final NUL
+constexpr double kNoChange = 1.0e-6;       // of speed [m/s] or heading [rad]: rounding of a grid node
 // What of a turn is worth a sentence; ours.
 constexpr float kWorseThanItsEnds = 0.95F;  // factor on their margins
 constexpr double kRollWorthSaying = radians(5.0);
@@ -76,6 +77,30 @@ void add_worst(const Change& change, const Criteria& criteria, WaveSystems syste
   }
 }
 
+/// The governing criterion there, its figure where the change leads to a cell, and its margin.
+void add_governing(const Change& change, const Cell* cell, const Criteria& criteria, Sentence& out) {
+  if (change.governing >= criteria.size()) {
+    return;
+  }
+  const Criterion& criterion = criteria[change.governing];
+  const bool is_there = cell != nullptr && cell->governing == change.governing;
+  const float value = is_there ? cell->values[change.governing] : kNotComputed;
+  Sentence part;
+  part.add("; ");
+  if (value >= 0.0F) {
+    add_value_and_limit(criterion, static_cast<double>(value), part);
+  } else {
+    part.add("{}", criterion.name.view());
+  }
+  out.add_whole(part, kChangeBytes);
+  if (change.margin < kMarginUnbounded) {
+    Sentence margin;
+    margin.add(", ");
+    add_margin(static_cast<double>(change.margin), margin);
+    out.add_whole(margin, kChangeBytes);
+  }
+}
+
 }  // namespace
 
 void add_action(const Change& change, Sentence& out) {
@@ -107,28 +132,18 @@ void add_change(const Change& change, const Cell* cell, const Criteria& criteria
   if (const HazardWords* const zone = leading_zone(change.hazards)) {
     out.add(", {}", zone->name);
   }
-  if (change.governing < criteria.size()) {
-    const Criterion& criterion = criteria[change.governing];
-    out.add("; ");
-    const float value =
-        cell != nullptr && cell->governing == change.governing ? cell->values[change.governing] : -1.0F;
-    if (value >= 0.0F) {
-      add_value_and_limit(criterion, static_cast<double>(value), out);
-    } else {
-      out.add("{}", criterion.name.view());
-    }
-    if (change.margin < kMarginUnbounded) {
-      out.add(", ");
-      add_margin(static_cast<double>(change.margin), out);
-    }
-  }
+  add_governing(change, cell, criteria, out);
   if (change.governing_system < systems.size()) {
-    out.add("; {}", systems.size() > 1 ? "mostly " : "");
-    add_system(systems[change.governing_system], out);
+    Sentence part;
+    part.add("; {}", systems.size() > 1 ? "mostly " : "");
+    add_system(systems[change.governing_system], part);
+    out.add_whole(part, kChangeBytes);
   }
   if (change.next < criteria.size() && change.next_margin < kMarginUnbounded) {
-    out.add("; next {}, ", criteria[change.next].name.view());
-    add_margin(static_cast<double>(change.next_margin), out);
+    Sentence part;
+    part.add("; next {}, ", criteria[change.next].name.view());
+    add_margin(static_cast<double>(change.next_margin), part);
+    out.add_whole(part, kChangeBytes);
   }
   out.capitalise();
 }

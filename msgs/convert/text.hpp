@@ -54,6 +54,14 @@ class Sentence {
       bytes_[0] = static_cast<char>(bytes_[0] - 'a' + 'A');
     }
   }
+  /// The whole part, or nothing of it where `most_bytes` would be passed.
+  bool add_whole(const Sentence& part, std::size_t most_bytes) {
+    const bool fits = size_ + part.size_ <= most_bytes && most_bytes <= sizeof(bytes_);
+    if (fits) {
+      add("{}", part.view());
+    }
+    return fits;
+  }
   [[nodiscard]] std::string_view view() const { return {bytes_, size_}; }
 
  private:

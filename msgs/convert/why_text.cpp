@@ -38,6 +38,15 @@ void add_unwatched(const Criteria& criteria, Sentence& out) {
   }
 }
 
+bool add_note(const char* words, Sentence& out) {
+  Sentence note;
+  note.add("{}", words);
+  note.capitalise();
+  Sentence part;
+  part.add(". {}", note.view());
+  return out.add_whole(part, kReasonBytes);
+}
+
 /// What comes before the governing criterion.
 void add_verdict(const Cell& cell, const Criteria& criteria, bool has_governing, Sentence& out) {
   if (const HazardWords* const zone = deciding_zone(cell)) {
@@ -107,19 +116,19 @@ void add_why(const Cell& cell, const Criteria& criteria, WaveSystems systems, Se
 }
 
 void add_notes(const Cell& cell, Sentence& out) {
-  const HazardWords* const said = deciding_zone(cell);
-  const HazardWords* const leading = leading_zone(cell.hazards);
+  const HazardWords* const zone = leading_zone(cell.hazards);
+  if (zone != nullptr && zone != deciding_zone(cell) && !add_note(zone->bridge, out)) {
+    add_note(zone->name, out);
+  }
   for (const HazardWords& words : kHazardWords) {
-    const bool is_zone = (words.bit & kZoneBits) != 0;
-    const bool is_worth_it =
-        is_zone ? &words == leading && leading != said : words.bit != kHazardMarginalSurfRiding;
-    if ((cell.hazards & words.bit) != 0 && is_worth_it && *words.bridge != '\0') {
-      out.add(". {}", words.bridge);
+    const bool is_zone = (words.bit & kZoneBits) != 0 || words.bit == kHazardMarginalSurfRiding;
+    if ((cell.hazards & words.bit) != 0 && !is_zone && *words.bridge != '\0') {
+      add_note(words.bridge, out);
     }
   }
   for (const QualityWords& words : kQualityWords) {
     if ((cell.quality & words.bit) != 0 && *words.bridge != '\0') {
-      out.add(". {}", words.bridge);
+      add_note(words.bridge, out);
     }
   }
 }
@@ -127,11 +136,13 @@ void add_notes(const Cell& cell, Sentence& out) {
 void explain(const Cell& cell, const Criteria& criteria, WaveSystems systems, Sentence& out) {
   add_why(cell, criteria, systems, out);
   if (cell.next < criteria.size()) {
-    out.add(". Next: {}", criteria[cell.next].name.view());
+    Sentence part;
+    part.add(". Next: {}", criteria[cell.next].name.view());
     if (next_margin(cell) < kMarginUnbounded) {
-      out.add(", ");
-      add_margin(static_cast<double>(next_margin(cell)), out);
+      part.add(", ");
+      add_margin(static_cast<double>(next_margin(cell)), part);
     }
+    out.add_whole(part, kReasonBytes);
   }
   add_notes(cell, out);
 }

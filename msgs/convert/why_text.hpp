@@ -30,7 +30,11 @@ void add_margin(double margin, Sentence& out);
 /// of 12 s from 240°". Begins with a capital. A zone that decides by itself comes first.
 void add_why(const Cell& cell, const Criteria& criteria, WaveSystems systems, Sentence& out);
 
-/// What else is to be known: ". Below steerage speed. Roll beyond 10° RMS: figures uncertain".
+/// What fits the field of reasons, beside its final NUL. What does not fit whole is left out, not cut.
+inline constexpr std::size_t kReasonBytes = 255;
+
+/// What else is to be known: ". Below steerage speed. Roll beyond 10° RMS: figures uncertain"; a zone by its
+/// short name where there is no room for its sentence.
 void add_notes(const Cell& cell, Sentence& out);
 
 /// Why, the criterion that comes next, and the notes: of any cell, for a query.

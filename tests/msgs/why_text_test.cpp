@@ -157,6 +157,30 @@ TEST_F(TurnText, TheLongestSentenceFitsItsField) {
   EXPECT_LT(words().size(), 160u);
 }
 
+TEST(WhyText, NothingIsCutInTheMiddleOfAWord) {
+  Advice advice = slamming_advice();
+  advice.none_is_good = true;
+  advice.present.governing = 2;
+  advice.present.hazards =
+      kHazardParametricRoll | kHazardParametricRollGrows | kHazardNoSteerage | kHazardMotions;
+  advice.present.quality = kQualityExtremeMotion | kQualitySpeedOverGround | kQualityShallowWater;
+  Sentence out;
+  add_reasons(advice, some_criteria(), kSystems, out);
+  EXPECT_LE(out.view().size(), 255u);
+  EXPECT_NE(out.view().find(". Parametric roll can grow"), std::string_view::npos) << out.view();
+  EXPECT_TRUE(out.view().ends_with("grow") || out.view().ends_with("ground") ||
+              out.view().ends_with("computed"))
+      << out.view();
+  Change change = advice.changes[1];
+  change.governing = change.next = 2;
+  change.next_margin = 1.3F;
+  change.speed_change = -from_knots(3.0);
+  Sentence text;
+  add_change(change, nullptr, some_criteria(), kSystems, text);
+  EXPECT_LE(text.view().size(), 159u);
+  EXPECT_TRUE(text.view().ends_with("%") || text.view().ends_with("°")) << text.view();
+}
+
 TEST(ChangeText, SaysWhatGovernsThereWhatCausesItAndWhatComesNext) {
   Advice advice = slamming_advice();
   Change change = advice.changes[1];
@@ -170,7 +194,14 @@ TEST(ChangeText, SaysWhatGovernsThereWhatCausesItAndWhatComesNext) {
   EXPECT_EQ(
       out.view(),
       "Heave to: come 20° to port (course 230°): near a limit; slamming at bow, reached if waves grow 10 %; "
-      "swell of 12 s from 240°; next roll, reached if waves grow 80 %");
+      "swell of 12 s from 240°");
+  change.kind = ChangeKind::kOther;  // leaves room for what comes next
+  Sentence shorter;
+  add_change(change, nullptr, some_criteria(), {}, shorter);
+  EXPECT_EQ(
+      shorter.view(),
+      "Come 20° to port (course 230°): near a limit; slamming at bow, reached if waves grow 10 %; next roll, "
+      "reached if waves grow 80 %");
 }
 
 }  // namespace
