@@ -114,6 +114,7 @@ TEST_F(Programs, BadFilesExitOneWithOneLineAndLeaveNothingBehind) {
   expect_bad(kSim + " inspect text.log", {"text.log: offset 0"});
   expect_bad(kSim + " story empty.log", {"empty.log: holds no advice"});
   expect_bad(kSim + " picture empty.log --out o.png", {"empty.log: holds no advice"});
+  expect_bad(kHull + " check " + kS175 + " --limits bad.toml", {"bad.toml: name: missing"});
   expect_bad(kAdvisor + " --hull none.toml", {"none.toml: no such file"});
   expect_bad(kAdvisor + " --hull bad.toml", {"bad.toml: name: missing"});
   expect_bad(kAdvisor + " --hull " + kS175 + " --limits bad.toml", {"bad.toml: name: missing"});
@@ -130,6 +131,8 @@ TEST_F(Programs, ImpossibleOptionsExitTwoNamingOptionValueAndRange) {
                    {"--hs-m: nan"});
   expect_wrong_use(responses + " --mu-deg 90 --spectrum bretschneider --speed-kn 10 --hs-m 3 --t1-s 0",
                    {"--t1-s: 0", "1 ... 40"});
+  expect_wrong_use(kAdvisor + " --hull " + kS175 + " --author 'a name that is longer than the logbook'",
+                   {"--author", "at most 31 bytes"});
   expect_wrong_use(responses + sea + " --mu-deg 725", {"--mu-deg: 725", "above -360 ... 360"});
   expect_wrong_use(responses + sea + " --mu-deg -360", {"--mu-deg: -360", "above -360"});
   expect_wrong_use(responses + sea + " --mu-deg 0:10:0", {"--mu-deg: 0:10:0", "a step that leads"});

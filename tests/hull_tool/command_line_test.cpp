@@ -237,4 +237,37 @@ TEST(HullTool, FullDiskIsSaidAndExitsOne) {
   std::filesystem::remove(err);
 }
 
+std::string limits(const std::string& profile) {
+  return " --limits " + std::string(QUICKSTRIP_SOURCE_DIR) + "/firmware/profiles/" + profile + ".limits.toml";
+}
+
+TEST(Limits, OfAProfileThatTheHullFileCannotGiveAreListedAndNoCellIsGood) {
+  const std::string calm = " --spectrum bretschneider --hs-m 0.2 --t1-s 5 --dir-from-deg 0";
+  const std::string s175 = kHulls + "s175.hull.toml";
+  const Outcome check = run("check " + s175 + limits("passengers_transit"));
+  EXPECT_EQ(check.exit_code, 0);
+  EXPECT_NE(check.out.find("3 of them not watched: no cell will be good"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("\"motion sickness at passengers\" (motion_sickness)"), std::string::npos);
+  EXPECT_EQ(run("grid " + s175 + calm + limits("passengers_transit")).out.find(",good,"), std::string::npos);
+  EXPECT_NE(run("grid " + s175 + calm + limits("nordforsk_merchant")).out.find(",good,"), std::string::npos);
+}
+
+TEST(Limits, OfThePresentProfileAreTheOnesWithoutTheOption) {
+  const std::string grid =
+      "grid " + kHulls + "s175.hull.toml --spectrum bretschneider --hs-m 4 --t1-s 9 --dir-from-deg 40";
+  EXPECT_EQ(run(grid).out, run(grid + limits("nordforsk_merchant")).out);
+}
+
+TEST(Limits, BringRowsOfPeopleToTheResponses) {
+  const std::string responses = "responses " + kHulls +
+                                "s175.hull.toml --spectrum bretschneider --hs-m 5 --t1-s 9 --speed-kn 12 "
+                                "--mu-deg 130";
+  const std::string out = run(responses + limits("naval_transit")).out;
+  for (const char* row : {",motion_sickness,bridge,m/s2,", ",motion_interruptions,bridge to port,m/s2,",
+                          ",motion_interruptions,bridge to starboard,m/s2,"}) {
+    EXPECT_NE(out.find(row), std::string::npos) << row;
+  }
+  EXPECT_EQ(run(responses).out.find("motion_sickness"), std::string::npos);
+}
+
 }  // namespace
