@@ -217,6 +217,7 @@ NoAdvice Advisor::advise(const StepInputs& step) {
   steadiness_.begin(step.time, step.spectrum != nullptr ? kSpectrum : step.sea_source);
   steadiness_.steady(criteria_, output_.grid);
   output_.unknown_share = unknown_share(output_.grid);
+  output_.roll_period = zone_ship_.roll;
   const Status status = respond(inputs, ship.heading, ship.speed, output_.present);
   if (status.error() == Error::kSpeedOutOfGrid) {
     output_.advice =
@@ -274,6 +275,7 @@ void Advisor::withhold(NoAdvice reason) {
   output_.hs = 0.0;
   output_.lost_tail = 0.0;
   output_.unknown_share = -1.0;
+  output_.roll_period = {};
   output_.num_systems = 0;
   output_.systems = {};
   output_.grid.num_speeds = transfer_.num_speeds;

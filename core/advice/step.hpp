@@ -12,6 +12,7 @@
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/static_vector.hpp"
+#include "core/hazard/roll_period_band.hpp"
 #include "core/hull/hull.hpp"
 #include "core/sea/sea_state.hpp"
 
@@ -77,6 +78,7 @@ struct StepOutput {
   double hs = 0.0;              // of the sea that was used [m]
   double lost_tail = 0.0;       // fraction of its m0 outside the frequencies
   double unknown_share = -1.0;  // of the cells at steerage speed and above, 0 ... 1; -1: no grid
+  RollPeriodBand roll_period;   // that the zones stand on; without advice: not known
   Ensemble ensemble;
   std::size_t num_systems = 0;
   std::array<WaveSystem, kMaxWaveSystems> systems{};

@@ -15,7 +15,7 @@ double distance(double at, const Tuning& tuning) {
 }  // namespace
 
 bool is_parametric_sector(EncounterAngle mu) {
-  return std::fabs(std::cos(mu.radians)) >= std::sin(zone::kBeamSector) - zone::kAngleRounding;
+  return std::fabs(std::fabs(mu.radians) - 0.5 * kPi) >= zone::kBeamSector - zone::kAngleRounding;
 }
 
 bool in_parametric_zone(const EncounterBand& met, const RollPeriods& roll, EncounterAngle mu) {

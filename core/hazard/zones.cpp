@@ -149,6 +149,10 @@ RollPeriodEnd end_of(const ZoneShip& ship, const ZoneSystem& system, const Meeti
 
 }  // namespace
 
+EffectiveStability effective_stability_at(const ZoneSystem& system, EncounterAngle mu) {
+  return stability_at(system, std::cos(mu.radians));
+}
+
 void confirm_zones(const ZoneShip& ship, Heading heading, double speed, const MeasuredSigns& measured,
                    Zones& zones) {
   for (std::size_t s = 0; s < zones.num_systems; ++s) {

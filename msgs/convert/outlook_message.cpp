@@ -173,6 +173,16 @@ void put_changes(const StepOutput& output, const Criteria& criteria, outlook_t& 
   }
 }
 
+void put_roll_period(const RollPeriodBand& band, outlook_t& out) {
+  if (!band.is_known()) {
+    return;
+  }
+  out.roll_period_low_s = band.shortest;
+  out.roll_period_high_s = band.longest;
+  const bool is_measured = band.source == RollPeriodSource::kMeasured;
+  out.roll_period_kind = is_measured ? outlook_t::PERIOD_MEASURED : outlook_t::PERIOD_COMPUTED;
+}
+
 }  // namespace
 
 void to_message(const StepOutput& output, const Criteria& criteria, std::uint32_t assumed, outlook_t& out) {
@@ -185,6 +195,7 @@ void to_message(const StepOutput& output, const Criteria& criteria, std::uint32_
   if (advice.no_advice != NoAdvice::kNone) {
     return;
   }
+  put_roll_period(output.roll_period, out);
   put_ensemble(output, assumed, out);
   out.present_exceeded = num_exceeded(output, advice.heading.radians, advice.speed);
   out.next_criterion = index_or_none(advice.next);

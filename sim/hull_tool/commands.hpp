@@ -16,6 +16,7 @@ void add_motions(CLI::App& app);
 void add_roll_damping(CLI::App& app);
 void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
+void add_zones(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
 void add_parametric(CLI::App& app);
@@ -33,6 +34,7 @@ inline void add_commands(CLI::App& app) {
   add_roll_damping(app);
   add_responses(app);
   add_grid(app);
+  add_zones(app);
   add_compare(app);
   add_transform(app);
   add_parametric(app);

@@ -11,7 +11,6 @@
 #include "core/advisor.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
-#include "msgs/convert/hazard_text.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
@@ -78,18 +77,6 @@ std::string header(const Criteria& criteria) {
   }
   return line +
          ",added_resistance_n,added_resistance_empirical_n,roll_damping_ratio,roll_damping_residual,hazards";
-}
-
-// "surf_riding;motions", none: empty.
-std::string hazard_tokens(std::uint16_t hazards) {
-  std::string out;
-  for (const HazardWords& words : kHazardWords) {
-    if ((hazards & words.bit) != 0) {
-      out += out.empty() ? "" : ";";
-      out += words.token;
-    }
-  }
-  return out;
 }
 
 std::optional<double> resistance(float mean) {

@@ -9,4 +9,7 @@ namespace quickstrip::hull_tool {
 
 std::string quality_text(std::uint32_t quality);
 
+/// Of HazardBit, "surf_riding;motions"; empty: none.
+std::string hazard_tokens(std::uint16_t hazards);
+
 }  // namespace quickstrip::hull_tool

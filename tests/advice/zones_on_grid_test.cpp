@@ -83,6 +83,12 @@ TEST_F(ZonesOnGrid, MeasuredMotionConfirmsSuccessiveWavesAtThePresentCourse) {
   EXPECT_NE(calm.present.cell.hazards & kHazardSuccessiveWaves, 0);
 }
 
+TEST_F(ZonesOnGrid, TheStepSaysWhichRollPeriodTheyStandOn) {
+  const StepOutput& output = step(*advisor_, 2.0, 10.0, 180.0);
+  EXPECT_EQ(output.roll_period.source, RollPeriodSource::kComputed);
+  EXPECT_NEAR(output.roll_period.longest / output.roll_period.shortest, 1.1 / 0.9, 1e-12);
+}
+
 // What is asked at one course and speed is what the grid says there.
 TEST_F(ZonesOnGrid, TheCellAskedForIsTheCellOfTheGrid) {
   const StepOutput& output = step(*advisor_, 3.0, 12.0, 200.0);
