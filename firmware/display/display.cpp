@@ -30,7 +30,7 @@ Answer fault(int status, const char* text) {
   return {status, errors_json({{"", text}})};
 }
 
-Answer done(json value = json::object()) {
+Answer done(const json& value = json::object()) {
   return {200, dump(value)};
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "firmware/display/form.hpp"
 #include "msgs/convert/sea_message.hpp"
 #include "msgs/convert/text.hpp"
@@ -18,7 +20,7 @@ constexpr std::int64_t kHour_us = 3'600'000'000;
 const char* point_of(double dir_deg) {
   constexpr const char* kPoints[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                      "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
-  return kPoints[static_cast<int>(dir_deg / 22.5 + 0.5) % 16];
+  return kPoints[std::lround(dir_deg / 22.5) % 16];
 }
 
 /// One decimal only where there is one: "8 s", "8.5 s".

@@ -1,8 +1,8 @@
 #include "firmware/display/recorded_moment.hpp"
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
+#include <string_view>
 
 #include "firmware/display/mail_route.hpp"
 #include "msgs/convert/encode.hpp"
@@ -22,34 +22,53 @@ bool is_later_advice(const LogEvent& event, const std::string& prefix, std::int6
   return decode(event.data, *advice) && advice->utime > until;
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Digits where the pattern has 0, else its own characters.
+bool is_like(std::string_view text, std::string_view pattern) {
+  if (text.size() != pattern.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (pattern[i] == '0' ? !is_digit(text[i]) : text[i] != pattern[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of digits only.
+int number(std::string_view text, std::size_t from, std::size_t size) {
+  int value = 0;
+  for (const char digit : text.substr(from, size)) {
+    value = 10 * value + (digit - '0');
+  }
+  return value;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> utime_of_text(const std::string& text) {
-  int y = 0;
-  int mo = 0;
-  int d = 0;
-  int h = 0;
-  int mi = 0;
-  int s = 0;
-  int end = 0;
-  const bool has_seconds =
-      std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2dZ%n", &y, &mo, &d, &h, &mi, &s, &end) == 6 && end > 0;
-  if (!has_seconds) {
-    s = 0;
-    end = 0;
-    if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2dZ%n", &y, &mo, &d, &h, &mi, &end) != 5) {
-      return std::nullopt;
-    }
+  constexpr std::string_view kMinutes = "0000-00-00T00:00Z";
+  constexpr std::string_view kSeconds = "0000-00-00T00:00:00Z";
+  if (!is_like(text, kMinutes) && !is_like(text, kSeconds)) {
+    return std::nullopt;
   }
-  const std::chrono::year_month_day date{std::chrono::year{y}, std::chrono::month{static_cast<unsigned>(mo)},
-                                         std::chrono::day{static_cast<unsigned>(d)}};
-  const bool is_time = h >= 0 && h < 24 && mi >= 0 && mi < 60 && s >= 0 && s < 60;
-  if (static_cast<std::size_t>(end) != text.size() || !date.ok() || !is_time || y < 1970) {
+  const bool has_seconds = text.size() == kSeconds.size();
+  const std::chrono::year_month_day date{std::chrono::year{number(text, 0, 4)},
+                                         std::chrono::month{static_cast<unsigned>(number(text, 5, 2))},
+                                         std::chrono::day{static_cast<unsigned>(number(text, 8, 2))}};
+  const int h = number(text, 11, 2);
+  const int m = number(text, 14, 2);
+  const int s = has_seconds ? number(text, 17, 2) : 0;
+  if (!date.ok() || h > 23 || m > 59 || s > 59 || date.year() < std::chrono::year{1970}) {
     return std::nullopt;
   }
   const auto days = std::chrono::sys_days{date}.time_since_epoch();
   const auto seconds =
-      std::chrono::seconds{days} + std::chrono::hours{h} + std::chrono::minutes{mi} + std::chrono::seconds{s};
+      std::chrono::seconds{days} + std::chrono::hours{h} + std::chrono::minutes{m} + std::chrono::seconds{s};
   return std::chrono::duration_cast<std::chrono::microseconds>(seconds).count();
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "firmware/display/mail_route.hpp"
+#include "firmware/display/recorded_moment.hpp"
 #include "msgs/convert/text.hpp"
 #include "tests/display/bridge.hpp"
 
@@ -170,6 +171,26 @@ TEST(Display, ARecordedMomentTakesNoEntry) {
   Display display(options, nullptr);
   EXPECT_EQ(display.post("mark", R"({"author":"A","text":"x"})", kNow).status, 409);
   EXPECT_EQ(display.post("query", R"({"heading_deg":1,"speed_kn":2})", kNow).status, 200);
+}
+
+TEST(RecordedMoment, TimesAreWrittenInOneWay) {
+  EXPECT_EQ(utime_of_text("1970-01-01T00:01Z"), 60'000'000);
+  EXPECT_EQ(utime_of_text("2019-09-04T12:40:00Z"), kNow);
+  for (const char* const text :
+       {"", "2019-09-04", "2019-09-04T12:40", "2019-02-29T12:40Z", "2019-09-04T24:00Z", "2019-09-04T12:60Z",
+        "2019-9-4T12:40Z", "2019-09-04T12:40Zx", "1969-09-04T12:40Z"}) {
+    EXPECT_FALSE(utime_of_text(text)) << text;
+  }
+}
+
+TEST(RecordedMoment, ALogWithoutAdviceIsRefusedInOneLine) {
+  DisplayOptions options;
+  options.is_recorded = true;
+  Display display(options, nullptr);
+  const std::string missing = "/nowhere/advice.log";
+  EXPECT_FALSE(put_recorded_moment(missing, "", "QS_", display));
+  EXPECT_EQ(put_recorded_moment(missing, "noon", "QS_", display).line(),
+            "--at: noon: a time is written 2019-09-04T12:40Z");
 }
 
 TEST(Trends, KeepTheWorstOfEachMinuteForTwelveHours) {
