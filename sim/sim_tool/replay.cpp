@@ -257,6 +257,11 @@ void add_replay(CLI::App& app) {
       ->default_str("5400");
   add_number(*command, "--loading-stale-after-s", stale.loading_s, kStaleAfter_s, "Likewise, of a loading")
       ->default_str("86400");
+  command
+      ->add_option("--ensemble-per-cycle", options->session.ensemble_per_cycle,
+                   "Members of the ensemble computed each cycle, for QS_OUTLOOK")
+      ->check(CLI::Range(std::size_t{0}, kEnsembleMembers))
+      ->capture_default_str();
   command->add_option("--prefix", options->replay.prefix, "Of the channel names")->capture_default_str();
   add_method_options(*command, options->method);
   command->callback([options] {

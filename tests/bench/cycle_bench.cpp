@@ -140,6 +140,45 @@ void StepWithNordforsk(benchmark::State& state) {
 }
 BENCHMARK(StepWithNordforsk)->Arg(3)->Arg(0)->Unit(benchmark::kMillisecond)->MinTime(2);
 
+// The cycle with members of the ensemble, as a ratio to the cycle without; turn about in one run. Arguments:
+// wave systems (0: measured), members a cycle.
+void StepWithEnsemble(benchmark::State& state) {
+  const auto alone = make_case(static_cast<std::size_t>(state.range(0)));
+  alone->hull.roll_damping.method = RollDampingMethod::kIkeda;
+  alone->hull.roll_damping.bilge_keel = BilgeKeel{61.0, 114.0, 0.35};
+  StepInputs with_members = alone->inputs;
+  with_members.ensemble_members = static_cast<std::size_t>(state.range(1));
+  with_members.uncertainty.height_part.fill(0.1);
+  with_members.uncertainty.period_part.fill(0.1);
+  with_members.uncertainty.direction.fill(0.2);
+  with_members.uncertainty.gm = 0.05;
+  with_members.uncertainty.roll_damping_part = 0.2;
+  const auto advisor = std::make_unique<Advisor>();
+  if (!advisor->configure(alone->hull, *nordforsk_merchant(alone->hull), StripMethod{})) {
+    state.SkipWithError("the hull or its criteria are refused");
+    return;
+  }
+  std::vector<double> without;
+  std::vector<double> with;
+  for (auto _ : state) {
+    without.push_back(step_ms(*advisor, alone->inputs));
+    with.push_back(step_ms(*advisor, with_members));
+  }
+  std::sort(without.begin(), without.end());
+  std::sort(with.begin(), with.end());
+  state.counters["without_p50_ms"] = percentile(without, 0.5);
+  state.counters["with_p50_ms"] = percentile(with, 0.5);
+  state.counters["with_p99_ms"] = percentile(with, 0.99);
+  state.counters["ratio"] = percentile(with, 0.5) / percentile(without, 0.5);
+}
+BENCHMARK(StepWithEnsemble)
+    ->Args({3, 4})
+    ->Args({3, 16})
+    ->Args({0, 4})
+    ->Args({0, 16})
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(2);
+
 void StepBySpeeds(benchmark::State& state) {
   const auto at = make_case(3);
   at->hull.grid.speed_to = static_cast<double>(state.range(0) - 1) * at->hull.grid.speed_step;

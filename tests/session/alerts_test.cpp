@@ -117,6 +117,38 @@ TEST_F(AlertsTest, WhileThereIsNoAdviceTheLimitsAlertDoesNotEnd) {
   EXPECT_EQ(limit->state, 1);
 }
 
+TEST_F(AlertsTest, LateCyclesAreACautionOfTheSystemForAMinuteAfterTheLast) {
+  alerts_.follow_misses(0, kStart);
+  EXPECT_EQ(alerts_.next_to_send(kStart), nullptr);
+  alerts_.follow_misses(2, kStart + kSecond);
+  const alert_t* const late = alerts_.next_to_send(kStart + kSecond);
+  ASSERT_NE(late, nullptr);
+  EXPECT_EQ(late->alert_id, static_cast<int>(AlertId::kLate));
+  EXPECT_EQ(late->priority, 4);  // caution
+  EXPECT_EQ(late->criterion, -1);
+  alerts_.follow_misses(2, kStart + 50 * kSecond);
+  EXPECT_EQ(alerts_.next_to_send(kStart + 50 * kSecond)->state, 1);  // active, repeated
+  alerts_.follow_misses(2, kStart + 62 * kSecond);
+  EXPECT_EQ(alerts_.next_to_send(kStart + 62 * kSecond)->state, 0);  // a caution ends by itself
+}
+
+TEST_F(AlertsTest, AreNeverMoreThanAWarning) {
+  comparison_t gap{};
+  gap.confidence = comparison_t::CONFIDENCE_LOWERED;
+  gap.num_lines = 1;
+  gap.gap_since_s[0] = 7200.0;
+  alerts_.follow(gap, kStart);
+  alerts_.follow_misses(1'000, kStart);
+  alerts_.follow(with_verdict(kStart, kExceeded));
+  alerts_.follow(without(kStart + 60 * kSecond, NoAdvice::kSeaStale));
+  int num_sent = 0;
+  while (const alert_t* const alert = alerts_.next_to_send(kStart + 60 * kSecond)) {
+    EXPECT_GE(alert->priority, 3);  // warning; caution is 4
+    ++num_sent;
+  }
+  EXPECT_EQ(num_sent, 4);
+}
+
 TEST_F(AlertsTest, AnUnknownAlertIsRefused) {
   alert_t unknown{};
   unknown.utime = kStart;
