@@ -44,6 +44,10 @@ TEST(SessionOutlook, BelongsToTheAdviceAndSaysWhatToExpect) {
   EXPECT_GT(outlook.expected_max_roll_deg, 3.0 * advice.roll_rms_deg);
   EXPECT_LT(outlook.expected_max_roll_deg, 3.6 * advice.roll_rms_deg);
   EXPECT_EQ(outlook.expect_s, 1800.0);
+  // Strip theory's period of the S-175 is 18.1 s: 10 % on either side.
+  EXPECT_EQ(outlook.roll_period_kind, static_cast<int>(RollPeriodSource::kComputed));
+  EXPECT_NEAR(outlook.roll_period_low_s, 16.3, 0.2);
+  EXPECT_NEAR(outlook.roll_period_high_s, 19.9, 0.2);
 }
 
 TEST(SessionOutlook, WithoutAdviceKnowsNothing) {
