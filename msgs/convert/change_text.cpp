@@ -10,8 +10,8 @@
 namespace quickstrip {
 namespace {
 
-constexpr std::size_t kChangeBytes = 159;  // of its field, beside the final NUL
-constexpr double kNoChange = 1.0e-6;       // of speed [m/s] or heading [rad]: rounding of a grid node
+constexpr std::size_t kFieldBytes = 159;  // of change_text and turn_text, beside the final NUL
+constexpr double kNoChange = 1.0e-6;      // of speed [m/s] or heading [rad]: rounding of a grid node
 // What of a turn is worth a sentence; ours.
 constexpr float kWorseThanItsEnds = 0.95F;  // factor on their margins
 constexpr double kRollWorthSaying = radians(5.0);
@@ -59,22 +59,28 @@ bool passes_worse(const Change& change, const Cell& present) {
   return zone || unknown || turn.worst_margin < kWorseThanItsEnds * std::min(present.margin, change.margin);
 }
 
-void add_worst(const Change& change, const Criteria& criteria, WaveSystems systems, Sentence& out) {
-  const Turn& turn = change.turn;
-  const auto heading = static_cast<double>(turn.worst_heading);
+/// Where it is worst, and how the sea comes in there.
+void add_worst_place(const Change& change, WaveSystems systems, Sentence& out) {
+  const auto heading = static_cast<double>(change.turn.worst_heading);
   out.add(" passes {}{:03.0f}°", turns(change) ? "" : "at ", whole_degrees(heading));
-  if (turn.worst_system < systems.size()) {
-    out.add(" {}", aspect_words(heading, systems[turn.worst_system]));
+  if (change.turn.worst_system < systems.size()) {
+    out.add(" {}", aspect_words(heading, systems[change.turn.worst_system]));
   }
+}
+
+/// What is worst there.
+void add_worst_reason(const Turn& turn, const Criteria& criteria, Sentence& out) {
+  Sentence part;
   if (turn.worst_verdict == Verdict::kUnknown) {
-    out.add(": not judged there");
+    part.add("; not judged there");
   } else if (turn.worst_verdict == Verdict::kExceeded && turn.worst_margin >= 1.0F) {
     const HazardWords* const zone = leading_zone(turn.worst_hazards);
-    out.add(": {}", zone != nullptr ? zone->name : "above a limit");
+    part.add("; there {}", zone != nullptr ? zone->name : "above a limit");
   } else if (turn.worst_governing < criteria.size()) {
-    out.add(": {}, ", criteria[turn.worst_governing].name.view());
-    add_margin(static_cast<double>(turn.worst_margin), out);
+    part.add("; there {}, ", criteria[turn.worst_governing].name.view());
+    add_margin(static_cast<double>(turn.worst_margin), part);
   }
+  out.add_whole(part, kFieldBytes);
 }
 
 /// The governing criterion there, its figure where the change leads to a cell, and its margin.
@@ -92,12 +98,12 @@ void add_governing(const Change& change, const Cell* cell, const Criteria& crite
   } else {
     part.add("{}", criterion.name.view());
   }
-  out.add_whole(part, kChangeBytes);
+  out.add_whole(part, kFieldBytes);
   if (change.margin < kMarginUnbounded) {
     Sentence margin;
     margin.add(", ");
     add_margin(static_cast<double>(change.margin), margin);
-    out.add_whole(margin, kChangeBytes);
+    out.add_whole(margin, kFieldBytes);
   }
 }
 
@@ -137,13 +143,13 @@ void add_change(const Change& change, const Cell* cell, const Criteria& criteria
     Sentence part;
     part.add("; {}", systems.size() > 1 ? "mostly " : "");
     add_system(systems[change.governing_system], part);
-    out.add_whole(part, kChangeBytes);
+    out.add_whole(part, kFieldBytes);
   }
   if (change.next < criteria.size() && change.next_margin < kMarginUnbounded) {
     Sentence part;
     part.add("; next {}, ", criteria[change.next].name.view());
     add_margin(static_cast<double>(change.next_margin), part);
-    out.add_whole(part, kChangeBytes);
+    out.add_whole(part, kFieldBytes);
   }
   out.capitalise();
 }
@@ -164,22 +170,23 @@ void add_turn(const Change& change, const Cell& present, const Criteria& criteri
     out.add("Changing speed");
   }
   if (is_worse) {
-    add_worst(change, criteria, systems, out);
-    out.add("; ");
-  } else {
-    out.add(": ");
+    add_worst_place(change, systems, out);
+  }
+  out.add(": ");
+  if (turn.max_roll > 0.0F) {
+    out.add("{}° roll likely, ", std::round(degrees(static_cast<double>(turn.max_roll))));
   }
   if (static_cast<double>(turn.time_exceeded) >= kTimeWorthSaying_s) {
     add_duration(static_cast<double>(turn.time_exceeded), out);
     out.add(" above a limit, ");
   }
-  if (turn.max_roll > 0.0F) {
-    out.add("{}° roll likely, ", std::round(degrees(static_cast<double>(turn.max_roll))));
-  }
   out.add("takes ");
   add_duration(static_cast<double>(turn.time), out);
   if (is_long_way) {
     out.add("; the shorter way is worse");
+  }
+  if (is_worse) {
+    add_worst_reason(turn, criteria, out);
   }
 }
 

@@ -17,8 +17,8 @@ void add_action(const Change& change, Sentence& out);
 void add_change(const Change& change, const Cell* cell, const Criteria& criteria, WaveSystems systems,
                 Sentence& out);
 
-/// "Coming to 020° passes beam-on (085°): roll, waves would have to fall by 40 %; 2 min above a limit; roll
-/// to 18° likely; takes 4 min". Nothing when the way is no worse than its ends and hardly rolls.
+/// "Coming to 020° passes 085° beam-on: 18° roll likely, 2 min above a limit, takes 4 min; there roll, waves
+/// would have to fall by 40 %". Nothing when the way is no worse than its ends and hardly rolls.
 void add_turn(const Change& change, const Cell& present, const Criteria& criteria, WaveSystems systems,
               Sentence& out);
 

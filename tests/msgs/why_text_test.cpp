@@ -128,8 +128,9 @@ class TurnText : public testing::Test {
 
 TEST_F(TurnText, SaysWhatItPassesHowLongAndHowFarSheMayRoll) {
   EXPECT_EQ(words(),
-            "Coming to 020° passes 330° beam-on: roll, waves would have to fall by 50 %; 60 s above a limit, "
-            "18° roll likely, takes 2 min");
+            "Coming to 020° passes 330° beam-on: 18° roll likely, 60 s above a limit, takes 2 min; there "
+            "roll, waves "
+            "would have to fall by 50 %");
 }
 
 TEST_F(TurnText, SaysNothingWhenTheWayIsNoWorseAndHardlyRolls) {
@@ -137,7 +138,7 @@ TEST_F(TurnText, SaysNothingWhenTheWayIsNoWorseAndHardlyRolls) {
   change_.turn.max_roll = static_cast<float>(radians(4.0));
   EXPECT_EQ(words(), "");
   change_.turn.max_roll = static_cast<float>(radians(9.0));
-  EXPECT_EQ(words(), "Coming to 020°: 60 s above a limit, 9° roll likely, takes 2 min");
+  EXPECT_EQ(words(), "Coming to 020°: 9° roll likely, 60 s above a limit, takes 2 min");
   change_.turn = {};
   EXPECT_EQ(words(), "");
 }
