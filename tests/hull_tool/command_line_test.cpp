@@ -237,6 +237,27 @@ TEST(HullTool, FullDiskIsSaidAndExitsOne) {
   std::filesystem::remove(err);
 }
 
+// A swell from 135 meets a ship heading north on her starboard quarter: mu = +45 degrees.
+TEST(Zones, SayTheSideTheRollPeriodAndTheEndThatDecides) {
+  const Outcome zones = run("zones " + kHulls +
+                            "s175.hull.toml --spectrum jonswap --hs-m 4 --t1-s 8.344 --dir-from-deg 135"
+                            " --heading-deg 0 --speed-kn 15");
+  EXPECT_EQ(zones.exit_code, 0);
+  EXPECT_NE(zones.out.find(",135,45,"), std::string::npos) << zones.out;
+  EXPECT_NE(zones.out.find(",shortest,"), std::string::npos) << zones.out;
+  EXPECT_NE(zones.out.find("synchronous_roll;parametric_roll"), std::string::npos) << zones.out;
+  EXPECT_NE(zones.err.find("16.23 to 19.83 s (computed, 10 % either way); IS Code 18.30 s"),
+            std::string::npos)
+      << zones.err;
+}
+
+TEST(Grid, SaysTheShareOfUnknownCells) {
+  const Outcome grid =
+      run("grid " + kHulls + "s175.hull.toml --spectrum jonswap --hs-m 2 --t1-s 8.344 --dir-from-deg 180");
+  EXPECT_NE(grid.err.find("unknown: "), std::string::npos) << grid.err;
+  EXPECT_NE(grid.out.find(",unknown,"), std::string::npos);
+}
+
 std::string limits(const std::string& profile) {
   return " --limits " + std::string(QUICKSTRIP_SOURCE_DIR) + "/firmware/profiles/" + profile + ".limits.toml";
 }
