@@ -13,5 +13,6 @@ void add_inspect(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_story(CLI::App& app);
 void add_picture(CLI::App& app);
+void add_pilot(CLI::App& app);
 
 }  // namespace quickstrip::sim_tool

@@ -12,5 +12,6 @@ int main(int argc, char** argv) {
   quickstrip::sim_tool::add_simulate(app);
   quickstrip::sim_tool::add_story(app);
   quickstrip::sim_tool::add_picture(app);
+  quickstrip::sim_tool::add_pilot(app);
   return quickstrip::run_tool(app, argc, argv);
 }
