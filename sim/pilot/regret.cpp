@@ -49,11 +49,14 @@ struct Follower {
     most_in_a_watch = std::max(most_in_a_watch, changes_in_watch);
   }
 
-  void follow(const StepOutput& output, const Storm& storm) {
-    if (changes_in_watch >= kChangesPerWatch || output.advice.no_advice != NoAdvice::kNone) {
+  void follow(const StepOutput& output, const Storm& storm, int changes_inside) {
+    const Advice& advice = output.advice;
+    const bool is_inside =
+        advice.present.verdict == Verdict::kGood || advice.present.verdict == Verdict::kCaution;
+    if (advice.no_advice != NoAdvice::kNone ||
+        changes_in_watch >= (is_inside ? changes_inside : kChangesPerWatch)) {
       return;
     }
-    const Advice& advice = output.advice;
     if (!is_as_intended) {
       const CellIndex there = nearest_cell(output.grid, storm.intended, storm.intended_speed);
       if (output.grid.cells[there.speed][there.heading].verdict == Verdict::kGood) {
@@ -101,7 +104,7 @@ Status Sailing::find_truth(const Storm& storm) {
   return {};
 }
 
-Tally Sailing::follow_advice(const Storm& storm, const Noise& noise, std::uint64_t seed) {
+Tally Sailing::follow_advice(const Storm& storm, const Noise& noise, int changes_inside, std::uint64_t seed) {
   Tally sum;
   seaway::Gaussian random(seed, kNoiseStream);
   Follower follower{storm.intended, storm.intended_speed};
@@ -125,7 +128,7 @@ Tally Sailing::follow_advice(const Storm& storm, const Noise& noise, std::uint64
       inputs.own_ship = &ship;
       inputs.time = time_;
       const StepOutput& output = advisor_->step(inputs);
-      follower.follow(output, storm);
+      follower.follow(output, storm, changes_inside);
       const CellIndex cell = nearest_cell(output.grid, follower.heading, follower.speed);
       const double part_h = kStep_s / 3600.0;
       sum.exceeded_h += grids_[i].at(cell) == Hours::kExceeded ? part_h : 0.0;
@@ -137,14 +140,15 @@ Tally Sailing::follow_advice(const Storm& storm, const Noise& noise, std::uint64
   return sum;
 }
 
-Status Sailing::sail(const Storm& storm, const Noise& noise, std::uint64_t seed, StormResult& out) {
+Status Sailing::sail(const Storm& storm, const Noise& noise, int changes_inside, std::uint64_t seed,
+                     StormResult& out) {
   if (Status status = find_truth(storm); !status) {
     return status;
   }
   out = {storm.name, static_cast<double>(storm.num_half_hours()) / 2.0, {}, {}, {}};
   out.hold = tally(grids_, std::vector<CellIndex>(grids_.size(), intended_), intended_);
   out.all_knowing = tally(grids_, all_knowing_pilot(grids_, intended_), intended_);
-  out.follow = follow_advice(storm, noise, seed);
+  out.follow = follow_advice(storm, noise, changes_inside, seed);
   return {};
 }
 

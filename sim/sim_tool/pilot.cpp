@@ -33,6 +33,7 @@ struct Options {
   double speed_kn = 16.0;
   double direction_std_deg = 10.0;
   pilot::Noise noise;
+  int changes_inside = pilot::kChangesInside;
   MethodOptions method;
 };
 
@@ -131,7 +132,9 @@ void run(Options options) {
       fmt::print(stderr, "\r{} of {} storms", i + 1, storms.size());
     }
     StormResult result;
-    if (const Status status = sailing.sail(storms[i], options.noise, options.seed + i, result); !status) {
+    if (const Status status =
+            sailing.sail(storms[i], options.noise, options.changes_inside, options.seed + i, result);
+        !status) {
       throw InputError{storms[i].name + ": " + message(status.error())};
     }
     csv += line_of(result);
@@ -177,6 +180,11 @@ void add_pilot(CLI::App& app) {
       ->default_str("0.05");
   add_number(*command, "--direction-std-deg", options->direction_std_deg, {0.0, 90.0}, "Of the direction")
       ->default_str("10");
+  command
+      ->add_option("--changes-inside", options->changes_inside,
+                   "Of four changes a watch, how many while the shown verdict is inside the limits")
+      ->check(CLI::Range(0, pilot::kChangesPerWatch))
+      ->capture_default_str();
   command->add_option("--csv", options->csv, "A line a storm; - for standard output");
   add_method_options(*command, options->method);
   command->callback([options] { run(*options); });

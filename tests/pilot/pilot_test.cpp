@@ -134,14 +134,14 @@ TEST(Regret, WhoFollowsTheAdviceExceedsLessThanWhoHoldsOnAndNoLessThanWhoKnowsAl
   storm.states.resize(16);  // its worst eight hours
   StormResult first;
   StormResult again;
-  ASSERT_TRUE(sailing->sail(storm, {}, 5, first));
+  ASSERT_TRUE(sailing->sail(storm, {}, kChangesInside, 5, first));
   EXPECT_EQ(first.hours, 8.0);
   EXPECT_GT(first.hold.exceeded_h, 2.0);
   EXPECT_LT(first.follow.exceeded_h, first.hold.exceeded_h);
   EXPECT_LE(first.all_knowing.exceeded_h, first.follow.exceeded_h);
   EXPECT_LE(first.follow.most_changes_in_a_watch, kChangesPerWatch);
   EXPECT_EQ(first.hold.num_changes, 0);
-  ASSERT_TRUE(sailing->sail(storm, {}, 5, again));  // nothing of the first is remembered
+  ASSERT_TRUE(sailing->sail(storm, {}, kChangesInside, 5, again));  // nothing of the first is remembered
   EXPECT_EQ(again.follow.exceeded_h, first.follow.exceeded_h);
   EXPECT_EQ(again.follow.num_changes, first.follow.num_changes);
 }
