@@ -36,8 +36,8 @@ inline constexpr double kParametricTo = 0.55;
 // Beam seas, where stiffness does not vary along the hull; abaft of them a sea is "following or quartering".
 inline constexpr double kBeamSector = radians(30.0);  // either side of abeam
 // A wave system is looked at when it can do something to this ship: not lower than this part of her length
-// (1.75 m for 175 m; [IMO2020] assesses parametric roll in waves of 0.0167 L), and, along the hull, no shorter
-// than this part of it: of more than four waves on a hull the loads cancel.
+// (1.75 m for 175 m; [IMO2020] assesses parametric roll in waves of 0.0167 L), and, along the hull, no
+// shorter than this part of it: of more than four waves on a hull the loads cancel.
 inline constexpr double kLowWave = 0.01;
 inline constexpr double kShortWave = 0.25;
 // A roll period that was not measured [IMO2008]: the estimate is good to about this part of it.

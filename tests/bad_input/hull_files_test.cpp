@@ -100,7 +100,7 @@ TEST_F(BadHullFile, KeysThatAreMissingUnknownMisspeltOrDoubleAreRefusedByName) {
        "roll_giradius_m",
        {"loading.roll_giradius_m = 8.331", "roll_gyradius_m"}},
       {"wrong unit", "kg_m = 9.55", "kg_cm = 955", {"loading.kg_cm = 955", "nearest known one is kg_m"}},
-      {"unknown table", "", "\n[resistance]\ntotal_kn = 5\n", {"resistance = {...}", "unknown key"}},
+      {"unknown table", "", "\n[rudder]\narea_m2 = 5\n", {"rudder = {...}", "unknown key"}},
       {"misspelt table", "[particulars]", "[particular]", {"particular", "nearest known one is particulars"}},
       {"control character", kKg, "\"kg\\nm\" = 9.55", {"loading.kg?m", "unknown key"}},
       {"endless", kKg, std::string(5000, 'x') + " = 9.55", {"loading.xxxxx", "... = 9.55: unknown key"}},
