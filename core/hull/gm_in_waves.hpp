@@ -15,7 +15,8 @@
 // Error: the still-water GM, rounding (tests/hull); of the crests: the extremes of a cosine-like curve on ten
 // points are missed by at most 1 - cos(18 degrees) = 5 % of the amplitude.
 // A hull with stations of minimal form has one draught only: not known.
-// Cost: 100 balances of about four steps, 0.7 ms for 24 stations; when the loading changes. Memory: 150 bytes.
+// Cost: 100 balances of about four steps, 0.7 ms for 24 stations; when the loading changes. Memory: 150
+// bytes.
 #pragma once
 
 #include <array>

@@ -10,8 +10,8 @@
 namespace quickstrip {
 namespace {
 
-// Of response_t's quantity: surge sway heave roll pitch yaw, acceleration along x y z, slamming, wetness, emergence
-// of the propeller, sickness, interruptions.
+// Of response_t's quantity: surge sway heave roll pitch yaw, acceleration along x y z, slamming, wetness,
+// emergence of the propeller, sickness, interruptions.
 constexpr std::string_view kQuantityLetters = "ZYHRPQXLVSWEKI";
 
 struct CellIndex {
