@@ -87,7 +87,9 @@ std::optional<std::int64_t> take_stamp(std::string_view& line) {
   }
   line = rest;
   const std::int64_t day = std::chrono::sys_days{date}.time_since_epoch().count();
-  return (day * 86'400 + values[3] * 3600 + values[4] * 60 + values[5]) * kMicroseconds + fraction;
+  const std::int64_t hours = std::int64_t{24} * day + values[3];
+  const std::int64_t seconds = (hours * 60 + values[4]) * 60 + values[5];
+  return seconds * kMicroseconds + fraction;
 }
 
 }  // namespace quickstrip::nmea

@@ -1,10 +1,10 @@
 #include "msgs/convert/outlook_message.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
+#include "core/advice/steadiness.hpp"
 #include "core/base/angles.hpp"
 #include "msgs/convert/change_text.hpp"
 #include "msgs/convert/grid_message.hpp"
@@ -17,27 +17,9 @@ namespace {
 
 constexpr double kUnknown = -1.0;
 
-/// The cell of the grid that lies nearest; the speed is within the grid.
-struct CellPlace {
-  std::size_t v = 0;
-  std::size_t h = 0;
-};
-
-CellPlace nearest_cell(const Grid& grid, double heading, double speed) {
-  CellPlace place;
-  for (std::size_t v = 1; v < grid.num_speeds; ++v) {
-    if (std::abs(grid.speeds[v] - speed) < std::abs(grid.speeds[place.v] - speed)) {
-      place.v = v;
-    }
-  }
-  const double steps = wrap_two_pi(heading) / kTwoPi * static_cast<double>(grid.num_headings);
-  place.h = static_cast<std::size_t>(std::lround(steps)) % grid.num_headings;
-  return place;
-}
-
 std::int16_t num_exceeded(const StepOutput& output, double heading, double speed) {
-  const CellPlace at = nearest_cell(output.grid, heading, speed);
-  return static_cast<std::int16_t>(output.ensemble.num_exceeded(at.v, at.h));
+  const CellIndex at = nearest_cell(output.grid, {heading}, speed);
+  return static_cast<std::int16_t>(output.ensemble.num_exceeded(at.speed, at.heading));
 }
 
 void put_nothing(outlook_t& out) {
