@@ -1,8 +1,11 @@
 #include "firmware/display/recorded_moment.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "firmware/display/mail_route.hpp"
 #include "msgs/convert/encode.hpp"
@@ -20,6 +23,13 @@ bool is_later_advice(const LogEvent& event, const std::string& prefix, std::int6
   }
   const auto advice = std::make_unique<advice_t>();
   return decode(event.data, *advice) && advice->utime > until;
+}
+
+/// What an advice rests on. An input that comes after the advice of the moment belongs to the next one.
+bool is_input(std::string_view name) {
+  constexpr std::array<std::string_view, 5> kInputs{"SEA_STATE", "WAVE_SPECTRUM", "OWN_SHIP", "LOADING",
+                                                    "MOTION"};
+  return std::find(kInputs.begin(), kInputs.end(), name) != kInputs.end();
 }
 
 bool is_digit(char c) {
@@ -88,16 +98,26 @@ FileStatus put_recorded_moment(const std::string& log, const std::string& at, co
     return status;
   }
   LogEvent event;
+  std::vector<LogEvent> waiting;  // inputs since the last advice
   bool has_advice = false;
   while (reader.next(event) && !is_later_advice(event, prefix, until)) {
     if (!event.channel.starts_with(prefix)) {
       continue;
     }
-    if (event.channel == prefix + "ADVICE") {  // a cycle a turn: each counts for the trends
+    const std::string_view name = std::string_view(event.channel).substr(prefix.size());
+    if (is_input(name)) {
+      waiting.push_back(event);
+      continue;
+    }
+    if (name == "ADVICE") {  // a cycle a turn: each counts for the trends
       display.turn(event.utime, kNoWait);
       has_advice = true;
+      for (const LogEvent& input : waiting) {
+        route(std::string_view(input.channel).substr(prefix.size()), input.data, display.mailbox());
+      }
+      waiting.clear();
     }
-    route(std::string_view(event.channel).substr(prefix.size()), event.data, display.mailbox());
+    route(name, event.data, display.mailbox());
   }
   display.turn(event.utime, kNoWait);
   if (!has_advice) {

@@ -2,13 +2,17 @@
 #include "firmware/display/display.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "firmware/display/mail_route.hpp"
 #include "firmware/display/recorded_moment.hpp"
+#include "msgs/convert/encode.hpp"
 #include "msgs/convert/text.hpp"
+#include "msgs/files/lcm_log.hpp"
 #include "tests/display/bridge.hpp"
 
 namespace quickstrip {
@@ -191,6 +195,35 @@ TEST(RecordedMoment, ALogWithoutAdviceIsRefusedInOneLine) {
   EXPECT_FALSE(put_recorded_moment(missing, "", "QS_", display));
   EXPECT_EQ(put_recorded_moment(missing, "noon", "QS_", display).line(),
             "--at: noon: a time is written 2019-09-04T12:40Z");
+}
+
+// In a replayed log the sea of the next hour stands right behind the advice of this one.
+TEST(RecordedMoment, ShowsTheSeaThatItsAdviceRestsOnAndNotTheNextOne) {
+  const auto path =
+      std::filesystem::temp_directory_path() / ("quickstrip_moment_" + std::to_string(getpid()) + ".log");
+  constexpr std::int64_t kHour = 3'600'000'000;
+  LcmLogWriter log;
+  std::vector<std::uint8_t> bytes(kMaxMessageBytes);
+  const auto append = [&](std::int64_t utime, const char* channel, const auto& message) {
+    ASSERT_TRUE(log.append(utime, channel, encode(message, bytes)));
+  };
+  ASSERT_TRUE(log.open(path));
+  append(kNow - kHour, "QS_SEA_STATE", test::sea_from(kNow - kHour, 240.0));
+  append(kNow, "QS_ADVICE", test::advice_at(kNow, 5));
+  append(kNow, "QS_GRID", test::grid_at(kNow, 5));
+  append(kNow + 1, "QS_SEA_STATE", test::sea_from(kNow + 1, 60.0));
+  append(kNow + kHour, "QS_ADVICE", test::advice_at(kNow + kHour, 6));
+  ASSERT_TRUE(log.finish());
+  for (const auto& [at, from_deg] : {std::pair{"2019-09-04T12:40Z", 240.0}, {"2019-09-04T13:40Z", 60.0}}) {
+    DisplayOptions options;
+    options.is_recorded = true;
+    Display display(options, nullptr);
+    ASSERT_TRUE(put_recorded_moment(path.string(), at, "QS_", display));
+    const auto frame = display.hub().newest(Topic::kState);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(json::parse(*frame)["sea"]["systems"][0]["dir_from_deg"], from_deg) << at;
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(Trends, KeepTheWorstOfEachMinuteForTwelveHours) {
