@@ -105,6 +105,27 @@ double step_ms(Advisor& advisor, const StepInputs& inputs) {
   return 1e3 * (bench::processor_seconds() - before);
 }
 
+struct Stepped {
+  Advisor& advisor;
+  const StepInputs& inputs;
+};
+
+/// Steps of two kinds in one run, one after the other, and their ratio.
+void turn_about(benchmark::State& state, const Stepped& one, const Stepped& other) {
+  std::vector<double> without;
+  std::vector<double> with;
+  for (auto _ : state) {
+    without.push_back(step_ms(one.advisor, one.inputs));
+    with.push_back(step_ms(other.advisor, other.inputs));
+  }
+  std::sort(without.begin(), without.end());
+  std::sort(with.begin(), with.end());
+  state.counters["without_p50_ms"] = percentile(without, 0.5);
+  state.counters["with_p50_ms"] = percentile(with, 0.5);
+  state.counters["with_p99_ms"] = percentile(with, 0.99);
+  state.counters["ratio"] = percentile(with, 0.5) / percentile(without, 0.5);
+}
+
 void run(benchmark::State& state, Case& at, const Criteria& criteria) {
   const auto advisor = std::make_unique<Advisor>();
   if (!advisor->configure(at.hull, criteria, StripMethod{})) {
@@ -158,18 +179,7 @@ void StepWithEnsemble(benchmark::State& state) {
     state.SkipWithError("the hull or its criteria are refused");
     return;
   }
-  std::vector<double> without;
-  std::vector<double> with;
-  for (auto _ : state) {
-    without.push_back(step_ms(*advisor, alone->inputs));
-    with.push_back(step_ms(*advisor, with_members));
-  }
-  std::sort(without.begin(), without.end());
-  std::sort(with.begin(), with.end());
-  state.counters["without_p50_ms"] = percentile(without, 0.5);
-  state.counters["with_p50_ms"] = percentile(with, 0.5);
-  state.counters["with_p99_ms"] = percentile(with, 0.99);
-  state.counters["ratio"] = percentile(with, 0.5) / percentile(without, 0.5);
+  turn_about(state, {*advisor, alone->inputs}, {*advisor, with_members});
 }
 BENCHMARK(StepWithEnsemble)
     ->Args({3, 4})
@@ -203,18 +213,7 @@ void StepWithRollThatDampsItself(benchmark::State& state) {
     state.SkipWithError("the hull or its criteria are refused");
     return;
   }
-  std::vector<double> without;
-  std::vector<double> with;
-  for (auto _ : state) {
-    without.push_back(step_ms(*one, linear->inputs));
-    with.push_back(step_ms(*other, itself->inputs));
-  }
-  std::sort(without.begin(), without.end());
-  std::sort(with.begin(), with.end());
-  state.counters["without_p50_ms"] = percentile(without, 0.5);
-  state.counters["with_p50_ms"] = percentile(with, 0.5);
-  state.counters["with_p99_ms"] = percentile(with, 0.99);
-  state.counters["ratio"] = percentile(with, 0.5) / percentile(without, 0.5);
+  turn_about(state, {*one, linear->inputs}, {*other, itself->inputs});
 }
 BENCHMARK(StepWithRollThatDampsItself)
     ->Args({3, 0})
