@@ -84,7 +84,8 @@ double badness(const RecordedAdvice& recorded) {
   }
   const int cells = recorded.grid.num_speeds * recorded.grid.num_headings;
   const double share = cells > 0 ? static_cast<double>(exceeded) / cells : 0.0;
-  return advice.verdict + share;
+  constexpr double kTie = 1e-6;  // two hours in which nothing is left: the one whose limit lies further off
+  return advice.verdict + share - kTie * advice.margin;
 }
 
 }  // namespace quickstrip
