@@ -51,7 +51,7 @@ enter() { # enter FORM BODY: read back, then confirmed
   ask POST /api/confirm "{\"ticket\":\"$ticket\"}" | grep -q '200 OK' || fail "$1 is not confirmed"
 }
 
-"$advisor" --hull "$hull" --url "$url" 2>"$work/advisor.journal" &
+"$advisor" --hull "$hull" --ensemble-per-cycle 1 --url "$url" 2>"$work/advisor.journal" &
 pids+=($!)
 "$display" --hull "$hull" --url "$url" --port 0 >"$work/address" 2>"$work/display.journal" &
 pids+=($!)

@@ -30,7 +30,7 @@ wait_for() { # wait_for FILE WORDS
 }
 
 start_advisor() { # start_advisor NAME
-  "$advisor" --hull "$hull" --url "$url" --cycle-s 0.4 2>"$work/$1.err" &
+  "$advisor" --hull "$hull" --ensemble-per-cycle 1 --url "$url" --cycle-s 0.4 2>"$work/$1.err" &
   advisor_pid=$!
   pids="$pids $advisor_pid"
   wait_for "$work/$1.err" '^quickstrip-advisor'

@@ -21,7 +21,9 @@ fail() {
 start_advisor() {  # start_advisor JOURNAL [OPTION ...]; returns when it listens
   local journal=$1
   shift
+  # One member a cycle: under a sanitizer a whole ensemble takes longer than the replay waits for an answer.
   "$advisor" --hull "$source/sim/hulls/s175.hull.toml" --clock log --cycle-s 3600 --state "$work/state.log" \
+    --ensemble-per-cycle 1 \
     "$@" 2>"$journal" &
   pid=$!
   for _ in $(seq 300); do

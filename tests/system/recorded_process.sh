@@ -24,7 +24,7 @@ fail() {
 start_advisor() { # start_advisor NAME [OPTION ...]; returns when it listens
   local journal=$work/$1.journal
   shift
-  "$advisor" --hull "$hull" --url "$url" "$@" 2>"$journal" &
+  "$advisor" --hull "$hull" --ensemble-per-cycle 1 --url "$url" "$@" 2>"$journal" &
   advisor_pid=$!
   for _ in $(seq 600); do
     grep -q '^quickstrip-advisor' "$journal" && return
