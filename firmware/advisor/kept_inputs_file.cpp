@@ -39,6 +39,24 @@ int restore(const LogEvent& event, std::int64_t now, Session& session) {
   return decode(event.data, *message) && session.accept(*message, now, InputUse::kRestored).ok() ? 1 : 0;
 }
 
+/// A file that is not there holds nothing.
+template <typename See>
+FileStatus for_each_event(const std::filesystem::path& path, const See& see) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    return {};
+  }
+  LcmLogReader log;
+  if (FileStatus status = log.open(path); !status) {
+    return status;
+  }
+  LogEvent event;
+  while (log.next(event)) {
+    see(event);
+  }
+  return {};
+}
+
 }  // namespace
 
 FileStatus write_kept_inputs(const std::filesystem::path& path, const std::string& prefix,
@@ -66,16 +84,7 @@ FileStatus write_kept_inputs(const std::filesystem::path& path, const std::strin
 FileStatus restore_inputs(const std::filesystem::path& path, const std::string& prefix, std::int64_t now,
                           Session& session, int& num_restored) {
   num_restored = 0;
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    return {};
-  }
-  LcmLogReader log;
-  if (FileStatus status = log.open(path); !status) {
-    return status;
-  }
-  LogEvent event;
-  while (log.next(event)) {
+  return for_each_event(path, [&](const LogEvent& event) {
     if (event.channel == prefix + "SEA_STATE") {
       num_restored += restore<sea_state_t>(event, now, session);
     } else if (event.channel == prefix + "WAVE_SPECTRUM") {
@@ -85,28 +94,17 @@ FileStatus restore_inputs(const std::filesystem::path& path, const std::string& 
     } else if (event.channel == prefix + "LOADING") {
       num_restored += restore<loading_t>(event, now, session);
     }
-  }
-  return {};
+  });
 }
 
 FileStatus read_kept_limits(const std::filesystem::path& path, const std::string& prefix, limits_t& out) {
   out = limits_t{};
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    return {};
-  }
-  LcmLogReader log;
-  if (FileStatus status = log.open(path); !status) {
-    return status;
-  }
-  LogEvent event;
-  while (log.next(event)) {
+  return for_each_event(path, [&](const LogEvent& event) {
     const bool is_limits = event.channel == prefix + "LIMITS";
     if (is_limits && !(decode(event.data, out) && is_sound(out))) {
       out = limits_t{};  // as if none were known: nothing to compare with
     }
-  }
-  return {};
+  });
 }
 
 InputKeeper::InputKeeper(std::filesystem::path path, std::string prefix, const limits_t& limits)
