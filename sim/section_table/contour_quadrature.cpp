@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/base/constants.hpp"
 
@@ -33,6 +34,26 @@ ContourQuadrature::ContourQuadrature(int num_points) {
 const ContourQuadrature& contour_quadrature(int num_points) {
   static std::map<int, ContourQuadrature> rules;
   return rules.try_emplace(num_points, num_points).first->second;
+}
+
+ContourHarmonics::ContourHarmonics(const ContourQuadrature& rule, std::size_t top_frequency)
+    : rule_(&rule), count_(top_frequency + 1), cosines_(rule.size() * count_), sines_(rule.size() * count_) {
+  for (std::size_t j = 0; j < rule.size(); ++j) {
+    for (std::size_t f = 0; f < count_; ++f) {
+      const double angle = static_cast<double>(f) * rule.theta(j);
+      cosines_[j * count_ + f] = std::cos(angle);
+      sines_[j * count_ + f] = std::sin(angle);
+    }
+  }
+}
+
+const ContourHarmonics& contour_harmonics(int num_points, std::size_t top_frequency) {
+  static std::map<std::pair<int, std::size_t>, ContourHarmonics> tables;
+  const auto key = std::pair(num_points, top_frequency);
+  const auto found = tables.find(key);
+  return found != tables.end()
+             ? found->second
+             : tables.try_emplace(key, contour_quadrature(num_points), top_frequency).first->second;
 }
 
 }  // namespace quickstrip

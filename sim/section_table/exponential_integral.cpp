@@ -24,7 +24,7 @@ Complex power_series(Complex t) {
     term *= -t / static_cast<double>(n);
     const Complex addend = term / static_cast<double>(n);
     sum += addend;
-    if (std::abs(addend) < 1e-17 * std::abs(sum)) {
+    if (std::norm(addend) < 1e-34 * std::norm(sum)) {
       break;
     }
   }
@@ -40,7 +40,7 @@ Complex asymptotic_series(Complex t) {
   for (int n = 1; n <= static_cast<int>(kAsymptoticRadius); ++n) {
     term *= -static_cast<double>(n) / t;
     sum += term;
-    if (std::abs(term) < 1e-17 * std::abs(sum)) {
+    if (std::norm(term) < 1e-34 * std::norm(sum)) {
       break;
     }
   }
@@ -62,7 +62,7 @@ Complex continued_fraction(Complex t) {
     c = b + a / c;
     const Complex factor = c * d;
     h *= factor;
-    if (std::abs(factor - 1.0) < 1e-16) {
+    if (std::norm(factor - 1.0) < 1e-32) {
       break;
     }
   }

@@ -1,6 +1,6 @@
 // The exponential integral E1 in the second quadrant, where the wave potentials of a section below the free
 // surface need it: t = K (z + i y), z <= 0, y >= 0.
-// Relative error 1e-13 over |t| = 1e-9 ... 1e4 (tests/sections). Cost: 0.1 ... 2 us.
+// Relative error 1e-13 over |t| = 1e-9 ... 1e4 (tests/sections). Cost: 0.1 ... 1 us.
 #pragma once
 
 #include <complex>

@@ -9,8 +9,6 @@
 
 #include "core/base/check.hpp"
 #include "core/base/constants.hpp"
-#include "sim/section_table/contour_quadrature.hpp"
-#include "sim/section_table/exponential_integral.hpp"
 #include "sim/section_table/linear_solve.hpp"
 
 namespace quickstrip {
@@ -18,176 +16,60 @@ namespace {
 
 using Complex = std::complex<double>;
 
-enum class Symmetry { kHeave, kSwayRoll };
-
-constexpr int kTopFrequency = 2 * kMaxMultipoles + 4;
-
-// integral over 0 ... pi/2 of cos n theta, for n = 0 ... 2 kTopFrequency
-struct CosineIntegrals {
-  std::array<double, 2 * kTopFrequency + 1> value{};
-  constexpr CosineIntegrals() {
-    value[0] = 0.5 * kPi;
-    for (std::size_t n = 1; n < value.size(); n += 2) {
-      value[n] = (n % 4 == 1 ? 1.0 : -1.0) / static_cast<double>(n);
-    }
-  }
-};
-constexpr CosineIntegrals kCosineIntegrals;
-
-double cosine_integral(int n) {
-  return kCosineIntegrals.value[static_cast<std::size_t>(std::abs(n))];
-}
-
-// One term of a multipole on the hull: amplitude cos(frequency theta) in heave, sin in sway and roll.
-struct Term {
-  int frequency;
-  double amplitude;
-};
-using Multipole = std::array<Term, 4>;
-
-// Wave-free potential m = 1, 2, ... on the hull: phi = sum amplitude cos|sin(f theta), and along the hull
-// d psi/d theta = sum amplitude f cos|sin(f theta). Satisfies the free-surface condition exactly.
-Multipole multipole(Symmetry symmetry, int m, double a1, double a3, double kappa) {
-  const int p = symmetry == Symmetry::kHeave ? 2 * m : 2 * m + 1;
-  return {{{p, 1.0},
-           {p - 1, kappa / (p - 1)},
-           {p + 1, kappa * a1 / (p + 1)},
-           {p + 3, -3.0 * kappa * a3 / (p + 3)}}};
-}
-
-// integral of the product of two harmonics of the same kind over the quarter contour
-double overlap(Symmetry symmetry, int p, int q) {
-  const double sum = cosine_integral(p + q);
-  return 0.5 * (cosine_integral(p - q) + (symmetry == Symmetry::kHeave ? sum : -sum));
-}
-
-double overlap(Symmetry symmetry, const Multipole& phi, const Multipole& psi_slope) {
-  double total = 0.0;
-  for (const Term& left : phi) {
-    for (const Term& right : psi_slope) {
-      total += left.amplitude * right.amplitude * right.frequency *
-               overlap(symmetry, left.frequency, right.frequency);
-    }
-  }
-  return total;
-}
-
-// n ds of a mode, as two harmonics: heave -dy, sway dz, roll -(y dy + z dz).
-using ModeNormal = std::array<Term, 2>;
-ModeNormal heave_normal(double a1, double a3) {
-  return {{{1, -(1.0 + a1)}, {3, 3.0 * a3}}};
-}
-ModeNormal sway_normal(double a1, double a3) {
-  return {{{1, 1.0 - a1}, {3, 3.0 * a3}}};
-}
-ModeNormal roll_normal(double a1, double a3) {
-  return {{{2, -2.0 * a1 * (1.0 + a3)}, {4, 4.0 * a3}}};
-}
-
-double load(Symmetry symmetry, const Multipole& phi, const ModeNormal& normal) {
-  double total = 0.0;
-  for (const Term& left : phi) {
-    for (const Term& right : normal) {
-      total += left.amplitude * right.amplitude * overlap(symmetry, left.frequency, right.frequency);
-    }
-  }
-  return total;
-}
-
-// Source or dipole at O on the hull: potential, and slope of the stream function along theta.
-struct Singularity {
-  Complex potential;
-  Complex stream_slope;
-};
-
-// F(w) = PV integral of e^{kw}/(k-K) dk = e^{Kw} (E1(Kw) + i pi), the "i" of space; the outgoing wave adds
-// i pi e^{Kw} with the "i" of time, kept apart by taking real (imaginary) parts in space first.
-Singularity singularity(Symmetry symmetry, Complex w, Complex slope, double kappa) {
-  const Complex i_space(0.0, 1.0);
-  const Complex wave = std::exp(kappa * w);
-  const Complex f = scaled_exponential_integral(kappa * w) + i_space * kPi * wave;
-  const Complex f1 = kappa * f - 1.0 / w;
-  if (symmetry == Symmetry::kHeave) {
-    return {{f.real(), kPi * wave.real()}, {(f1 * slope).imag(), kPi * (kappa * wave * slope).imag()}};
-  }
-  const Complex f2 = kappa * f1 + 1.0 / (w * w);
-  return {{-f1.imag(), -kPi * kappa * wave.imag()},
-          {(i_space * f2 * slope).imag(), kPi * (i_space * kappa * kappa * wave * slope).imag()}};
-}
-
 // The Galerkin equations of one symmetry: real symmetric block of the multipoles, complex border of the
 // singularity, right-hand sides of up to two modes.
 struct System {
   std::size_t n = 0;
-  std::vector<double> block;    // n x n
-  std::vector<Complex> border;  // n
+  std::vector<double> block;                  // n x n
+  std::array<std::vector<double>, 2> border;  // real, imaginary
   Complex corner;
   std::array<std::vector<double>, 2> loads;  // of the multipoles
   std::array<Complex, 2> corner_load;        // of the singularity
 };
 
-void add_singularity(Symmetry symmetry, double a1, double a3, double kappa,
-                     std::span<const Multipole> multipoles, std::span<const ModeNormal> normals,
-                     System& system) {
-  const ContourQuadrature& quadrature = contour_quadrature(4 * static_cast<int>(system.n) + 48);
-  std::vector<Complex> harmonic(2 * system.n + 5);  // e^{i f theta}
-  std::vector<double> shape(harmonic.size());
-  for (std::size_t j = 0; j < quadrature.size(); ++j) {
-    const double theta = quadrature.theta(j);
-    const Complex turn(std::cos(theta), std::sin(theta));
-    harmonic[0] = 1.0;
-    shape[0] = symmetry == Symmetry::kHeave ? 1.0 : 0.0;
-    for (std::size_t f = 1; f < harmonic.size(); ++f) {
-      harmonic[f] = harmonic[f - 1] * turn;
-      shape[f] = symmetry == Symmetry::kHeave ? harmonic[f].real() : harmonic[f].imag();
-    }
-    const auto at = [&shape](int f) { return shape[static_cast<std::size_t>(f)]; };
-    const Complex triple = harmonic[3];
-    const Complex w(-((1.0 - a1) * turn.real() + a3 * triple.real()),
-                    (1.0 + a1) * turn.imag() - a3 * triple.imag());
-    const Complex slope((1.0 - a1) * turn.imag() + 3.0 * a3 * triple.imag(),
-                        (1.0 + a1) * turn.real() - 3.0 * a3 * triple.real());
-    const Singularity s = singularity(symmetry, w, slope, kappa);
-    const Complex weighted = quadrature.weight(j) * s.potential;
-    system.corner -= weighted * s.stream_slope;
-    for (std::size_t k = 0; k < normals.size(); ++k) {
-      for (const Term& term : normals[k]) {
-        system.corner_load[k] += weighted * (term.amplitude * at(term.frequency));
+void add_singularity(Symmetry symmetry, const SectionHarmonics& section, double kappa,
+                     std::span<const ModeNormal> normals, const SingularityMoments& moments, System& system) {
+  const auto s = static_cast<std::size_t>(symmetry);
+  const std::array<const std::vector<double>*, 2> part = {&moments.real[s], &moments.imag[s]};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const std::vector<double>& moment = *part[c];
+    for (std::size_t m = 1; m <= system.n; ++m) {
+      const std::size_t p = multipole_frequency(symmetry, m);
+      double chain = 0.0;
+      for (std::size_t k = 0; k < section.chain_length(); ++k) {
+        chain += section.chain(k) * moment[p - 1 + 2 * k];
       }
+      system.border[c].push_back(-(static_cast<double>(p) * moment[p] + kappa * chain));
     }
-    for (std::size_t m = 0; m < system.n; ++m) {
-      double psi_slope = 0.0;
-      for (const Term& term : multipoles[m]) {
-        psi_slope += term.amplitude * term.frequency * at(term.frequency);
-      }
-      system.border[m] -= weighted * psi_slope;
+  }
+  system.corner = moments.corner[s];
+  for (std::size_t mode = 0; mode < normals.size(); ++mode) {
+    for (std::size_t n = 0; n < normals[mode].amplitude.size(); ++n) {
+      const std::size_t f = normals[mode].first + 2 * n;
+      system.corner_load[mode] += normals[mode].amplitude[n] * Complex((*part[0])[f], (*part[1])[f]);
     }
   }
 }
 
-System assemble(Symmetry symmetry, double a1, double a3, double kappa, int num_multipoles,
-                std::span<const ModeNormal> normals) {
+System assemble(Symmetry symmetry, SectionHarmonics& section, double kappa, std::size_t num_multipoles,
+                std::span<const ModeNormal> normals, const SingularityMoments& moments) {
   System system;
-  system.n = static_cast<std::size_t>(num_multipoles);
+  system.n = num_multipoles;
   system.block.resize(system.n * system.n);
-  system.border.resize(system.n);
-  std::vector<Multipole> multipoles;
-  for (int m = 1; m <= num_multipoles; ++m) {
-    multipoles.push_back(multipole(symmetry, m, a1, a3, kappa));
-  }
-  for (std::size_t i = 0; i < system.n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      const double value = -overlap(symmetry, multipoles[i], multipoles[j]);
-      system.block[i * system.n + j] = value;
-      system.block[j * system.n + i] = value;
+  section.reserve(num_multipoles);
+  for (std::size_t i = 1; i <= system.n; ++i) {
+    for (std::size_t j = 1; j <= i; ++j) {
+      const double value = section.coupling(symmetry, kappa, i, j);
+      system.block[(i - 1) * system.n + (j - 1)] = value;
+      system.block[(j - 1) * system.n + (i - 1)] = value;
     }
   }
-  for (std::size_t k = 0; k < normals.size(); ++k) {
-    for (const Multipole& phi : multipoles) {
-      system.loads[k].push_back(load(symmetry, phi, normals[k]));
+  for (std::size_t mode = 0; mode < normals.size(); ++mode) {
+    for (std::size_t m = 1; m <= system.n; ++m) {
+      system.loads[mode].push_back(multipole_load(symmetry, section, normals[mode], kappa, m));
     }
   }
-  add_singularity(symmetry, a1, a3, kappa, multipoles, normals, system);
+  add_singularity(symmetry, section, kappa, normals, moments, system);
   return system;
 }
 
@@ -199,19 +81,18 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return total;
 }
 
-// I_kj = 2 b_k . D^-1 b_j by elimination of the multipoles, and the strengths of the singularity.
+// I_kj = 2 b_k . D^-1 b_j by elimination of the multipoles, and the strengths D^-1 b.
 struct Response {
   std::array<std::array<Complex, 2>, 2> force{};
-  std::array<Complex, 2> strength{};
+  std::array<Complex, 2> strength{};  // of the singularity
+  std::array<std::vector<Complex>, 2> multipoles;
 };
 
 Response respond(System system, std::size_t num_modes) {
   const std::size_t n = system.n;
   std::vector<double> right(n * 4, 0.0);  // columns: border (real, imaginary), loads
-  std::array<std::vector<double>, 2> border{std::vector<double>(n), std::vector<double>(n)};
+  const std::array<std::vector<double>, 2>& border = system.border;
   for (std::size_t i = 0; i < n; ++i) {
-    border[0][i] = system.border[i].real();
-    border[1][i] = system.border[i].imag();
     right[i] = border[0][i];
     right[n + i] = border[1][i];
     for (std::size_t k = 0; k < num_modes; ++k) {
@@ -230,6 +111,10 @@ Response respond(System system, std::size_t num_modes) {
     reduced[k] =
         system.corner_load[k] - Complex(dot(system.loads[k], column(0)), dot(system.loads[k], column(1)));
     response.strength[k] = reduced[k] / schur;
+    for (std::size_t i = 0; i < n; ++i) {
+      response.multipoles[k].push_back(column(2 + k)[i] -
+                                       response.strength[k] * Complex(column(0)[i], column(1)[i]));
+    }
   }
   for (std::size_t k = 0; k < num_modes; ++k) {
     for (std::size_t j = 0; j < num_modes; ++j) {
@@ -245,19 +130,8 @@ double amplitude(double damping, Complex in_phase) {
   return std::copysign(std::sqrt(std::max(0.0, damping)), in_phase.real());
 }
 
-}  // namespace
-
-SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_multipoles) {
-  QS_CHECK(kappa > 0.0 && num_multipoles >= 2 && num_multipoles <= kMaxMultipoles);
-  const std::array<ModeNormal, 1> vertical = {heave_normal(a1, a3)};
-  const std::array<ModeNormal, 2> lateral = {sway_normal(a1, a3), roll_normal(a1, a3)};
-  const Response heave =
-      respond(assemble(Symmetry::kHeave, a1, a3, kappa, num_multipoles, vertical), vertical.size());
-  const Response sway =
-      respond(assemble(Symmetry::kSwayRoll, a1, a3, kappa, num_multipoles, lateral), lateral.size());
-
+SectionSolution collect(const Response& heave, const Response& sway, double kappa, double half_breadth) {
   SectionSolution solution;
-  solution.num_multipoles = num_multipoles;
   solution.a33 = -heave.force[0][0].real();
   solution.damping33 = -heave.force[0][0].imag();
   solution.a22 = -sway.force[0][0].real();
@@ -270,7 +144,7 @@ SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_mul
   solution.far_field3 = kPi * std::abs(heave.strength[0]);
   solution.far_field2 = kPi * kappa * std::abs(sway.strength[0]);
   solution.far_field4 = kPi * kappa * std::abs(sway.strength[1]);
-  const double waterline = kappa * (1.0 + a1 + a3);
+  const double waterline = kappa * half_breadth;
   const Complex heave_phase = std::polar(1.0, waterline);
   const Complex sway_phase = std::polar(1.0, waterline - 0.25 * kPi);
   // Taken off its waterline's phase first: what is left lies between 0 and pi/2.
@@ -280,8 +154,6 @@ SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_mul
   solution.h4 = amplitude(solution.damping44, sway.strength[1] * sway_phase);
   return solution;
 }
-
-namespace {
 
 // Largest change between two solutions: 24 and 44 against the 22-44 mean, damping against 1 % of added mass.
 double change(const SectionSolution& now, const SectionSolution& before) {
@@ -300,23 +172,66 @@ double change(const SectionSolution& now, const SectionSolution& before) {
                    moved(now.damping24, before.damping24, std::max(damping_mean, 0.01 * mean))});
 }
 
+// At the points that the most multipoles ask for, fewer of them can be solved for as well.
+const ContourHarmonics& harmonics_for(std::size_t num_multipoles) {
+  return contour_harmonics(4 * static_cast<int>(num_multipoles) + 48, top_frequency(num_multipoles));
+}
+
+SectionSolution solve_with(SectionHarmonics& section, double kappa, std::size_t num_multipoles,
+                           const SingularityMoments& moments, PotentialStrengths* strengths) {
+  const std::array<ModeNormal, 1> vertical = {section.heave()};
+  const std::array<ModeNormal, 2> lateral = {section.sway(), section.roll()};
+  Response heave =
+      respond(assemble(Symmetry::kHeave, section, kappa, num_multipoles, vertical, moments), vertical.size());
+  Response sway = respond(assemble(Symmetry::kSwayRoll, section, kappa, num_multipoles, lateral, moments),
+                          lateral.size());
+  SectionSolution solution = collect(heave, sway, kappa, mapped_half_breadth(section.coefficients()));
+  solution.num_multipoles = static_cast<int>(num_multipoles);
+  if (strengths != nullptr) {
+    strengths->kappa = kappa;
+    strengths->singularity = {sway.strength[0], heave.strength[0], sway.strength[1]};
+    strengths->multipoles = {std::move(sway.multipoles[0]), std::move(heave.multipoles[0]),
+                             std::move(sway.multipoles[1])};
+  }
+  return solution;
+}
+
 }  // namespace
 
-SectionSolution solve_lewis_form_adaptive(double a1, double a3, double kappa, double tolerance) {
-  constexpr int kFirst = 12;
-  SectionSolution before = solve_lewis_form(a1, a3, kappa, kFirst);
-  for (int n = 2 * kFirst; n <= kMaxMultipoles;
-       n = n < kMaxMultipoles ? std::min(2 * n, kMaxMultipoles) : n + 1) {
-    SectionSolution now = solve_lewis_form(a1, a3, kappa, n);
-    // Twice running, in effect: two unconverged answers can agree with each other, three of doubled size
-    // less.
-    if (change(now, before) < tolerance && n >= 4 * kFirst) {
+SectionSolution MultipoleSection::solve(double kappa, int num_multipoles, PotentialStrengths* strengths) {
+  QS_CHECK(kappa > 0.0 && num_multipoles >= 2 && num_multipoles <= kMaxMultipoles);
+  const auto n = static_cast<std::size_t>(num_multipoles);
+  return solve_with(harmonics_, kappa, n, singularity_moments(harmonics_, kappa, harmonics_for(n)),
+                    strengths);
+}
+
+SectionSolution MultipoleSection::solve_adaptive(double kappa, double tolerance, int most,
+                                                 PotentialStrengths* strengths) {
+  constexpr std::size_t kFirst = 24;
+  const auto last = static_cast<std::size_t>(most);
+  QS_CHECK(kappa > 0.0 && last >= 2 * kFirst && most <= kMaxMultipoles);
+  SingularityMoments moments = singularity_moments(harmonics_, kappa, harmonics_for(2 * kFirst));
+  SectionSolution before = solve_with(harmonics_, kappa, kFirst, moments, nullptr);
+  for (std::size_t n = 2 * kFirst; n <= last; n = n < last ? std::min(2 * n, last) : n + 1) {
+    if (n > 2 * kFirst) {
+      moments = singularity_moments(harmonics_, kappa, harmonics_for(n));
+    }
+    SectionSolution now = solve_with(harmonics_, kappa, n, moments, strengths);
+    if (change(now, before) < tolerance) {
       return now;
     }
     before = now;
   }
   before.converged = false;
   return before;
+}
+
+SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_multipoles) {
+  return MultipoleSection(lewis_mapping(a1, a3)).solve(kappa, num_multipoles);
+}
+
+SectionSolution solve_lewis_form_adaptive(double a1, double a3, double kappa, double tolerance) {
+  return MultipoleSection(lewis_mapping(a1, a3)).solve_adaptive(kappa, tolerance);
 }
 
 double kappa_of_xi(const LewisSection& section, double xi) {

@@ -1,15 +1,22 @@
-// Added mass and damping of Lewis sections heaving, swaying and rolling in the surface of deep water:
-// wave-free multipoles and a source (dipole) at O, as Ursell 1949, Tasai 1961 and de Jong 1973, the body
-// condition met in a variational (Galerkin) form. The result is stationary: its error is the square of the
-// potential's. Assumes linear theory, deep water, a section that is symmetric and not re-entrant. Range: H0
-// 0.05 ... 10, a3 >= -1/3, xi 1e-4 ... 40. Error with the adaptive form: 2e-4 of an independent
-// boundary-element solution (tests/sections). Cost: about 0.1 ms at 16 multipoles, 3 ms at 128.
-// Notation and signs: core/NOTATION.md; potentials are for the time factor exp(-i omega t).
+// Added mass and damping of sections heaving, swaying and rolling in the surface of deep water, the sections
+// mapped with up to ten coefficients, Lewis forms with two: wave-free multipoles and a source (dipole) at O,
+// as Ursell 1949, Tasai 1961 and de Jong 1973, the body condition met in a variational (Galerkin) form. The
+// result is stationary: its error is the square of the potential's. Assumes linear theory, deep water, a
+// section that is symmetric and whose mapping is conformal. Range: H0 0.05 ... 10, Lewis forms of a3 >= -1/3,
+// xi 1e-4 ... 40. Error with the adaptive form: 2e-4 of an independent boundary-element solution
+// (tests/sections). Cost: 0.1 ms at 24 multipoles, 0.2 ms at 48, 1 ms at 128; adaptive 0.2 ... 0.3 ms for a
+// ship's section. Notation and signs: core/NOTATION.md; potentials are for the time factor exp(-i omega t).
 #pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/hull/lewis_section.hpp"
 #include "core/hull/section_coefficients.hpp"
+#include "sim/section_table/conformal_mapping.hpp"
+#include "sim/section_table/radiation_equations.hpp"
 
 namespace quickstrip {
 
@@ -41,14 +48,48 @@ struct SectionSolution {
   bool converged = true;
 };
 
-inline constexpr int kMaxMultipoles = 256;
+/// The potential of a mode (sway, heave, roll) is that of the singularity and of the multipoles, m = 1, 2,
+/// ...
+inline constexpr std::size_t kNumModes = 3;
+struct PotentialStrengths {
+  double kappa = 0.0;
+  std::array<std::complex<double>, kNumModes> singularity{};
+  std::array<std::vector<std::complex<double>>, kNumModes> multipoles;
+};
 
-/// kappa > 0, finite; 2 <= num_multipoles <= kMaxMultipoles, in each of the two problems.
+/// A section for any number of frequencies. Keeps what does not depend on frequency.
+class MultipoleSection {
+ public:
+  explicit MultipoleSection(const MappingCoefficients& a) : harmonics_(a) {}
+  [[nodiscard]] const SectionHarmonics& harmonics() const { return harmonics_; }
+
+  /// kappa > 0, finite; 2 <= num_multipoles <= kMaxMultipoles, in each of the two problems.
+  SectionSolution solve(double kappa, int num_multipoles, PotentialStrengths* strengths = nullptr);
+
+  /// Doubles the multipoles, from 24, until every value moves by less than `tolerance` (24 and 44 of the
+  /// 22-44 mean, damping of 1 % of the added mass at least); not converged at `most`: says so.
+  SectionSolution solve_adaptive(double kappa, double tolerance = 1e-4, int most = kMaxMultipoles,
+                                 PotentialStrengths* strengths = nullptr);
+
+ private:
+  SectionHarmonics harmonics_;
+};
+
+/// The same for Lewis forms.
 SectionSolution solve_lewis_form(double a1, double a3, double kappa, int num_multipoles);
-
-/// Doubles the multipoles, from 12, until every value moves by less than `tolerance` (24 and 44 of the 22-44
-/// mean, damping of 1 % of the added mass at least); not converged at kMaxMultipoles: says so.
 SectionSolution solve_lewis_form_adaptive(double a1, double a3, double kappa, double tolerance = 1e-4);
+
+/// A point of quadrature on the hull, y >= 0: normal times length out of the body, potentials of unit
+/// velocity, time factor exp(-i omega t). Units of M.
+struct HullPotential {
+  double y = 0.0;
+  double z = 0.0;
+  double ny_ds = 0.0;
+  double nz_ds = 0.0;
+  std::array<std::complex<double>, kNumModes> phi{};  // sway, heave, roll
+};
+std::vector<HullPotential> hull_potentials(const SectionHarmonics& section,
+                                           const PotentialStrengths& strengths, int num_points);
 
 /// kappa = K M of xi = K B/2 for this section.
 double kappa_of_xi(const LewisSection& section, double xi);
