@@ -20,7 +20,7 @@ void add_zones(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
 void add_parametric(CLI::App& app);
-void add_wigley(CLI::App& app);
+void add_tank(CLI::App& app);
 void add_frequencies(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
@@ -38,7 +38,7 @@ inline void add_commands(CLI::App& app) {
   add_compare(app);
   add_transform(app);
   add_parametric(app);
-  add_wigley(app);
+  add_tank(app);
   add_frequencies(app);
 }
 

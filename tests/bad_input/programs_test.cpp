@@ -283,9 +283,19 @@ TEST_F(Programs, ComparisonsWithoutAMeaningAreRefused) {
   expect_wrong_use(kHull + " frequencies " + kS175 + " --mu-deg 92" + sea, {"--mu-deg: 92", "multiple of 5"});
   expect_wrong_use(kHull + " frequencies " + kS175 + " --mu-deg 90 --spreading-deg 20" + sea,
                    {"--spreading-deg", "long-crested"});
-  expect_bad(kHull + " wigley --with none.csv", {"none.csv: cannot be read"});
-  expect_bad(kHull + " wigley --with tank.csv", {"tank.csv: line 2: hull = V", "I, II, III, IV"});
-  expect_bad(kHull + " wigley --with ikeda.toml", {"ikeda.toml: line", "hull, fn, quantity"});
+  const std::string tank = kHull + " tank ikeda.toml --with ";
+  expect_bad(tank + "none.csv", {"none.csv: cannot be read"});
+  expect_bad(tank + "tank.csv", {"tank.csv: hull = ikeda", "--model takes one of V"});
+  expect_bad(tank + "ikeda.toml", {"ikeda.toml: line", "fn, quantity, abscissa, measured"});
+  static_cast<void>(folder_.file("no_speed.csv", "hull,quantity,abscissa,measured\nV,heave,1.25,0.7\n"));
+  expect_bad(tank + "no_speed.csv --model V", {"no_speed.csv: line 1", "fn, quantity, abscissa, measured"});
+  static_cast<void>(folder_.file("yaw.csv", "fn,quantity,abscissa,measured\n0.3,yaw,1.25,0.7\n"));
+  expect_bad(tank + "yaw.csv", {"yaw.csv: line 2: quantity = yaw", "heave, pitch, pitch_slope"});
+  static_cast<void>(folder_.file("fast.csv", "fn,quantity,abscissa,measured\n3,heave,1.25,0.7\n"));
+  expect_bad(tank + "fast.csv", {"fast.csv: line 2: fn = 3"});
+  static_cast<void>(folder_.file("empty.csv", "fn,quantity,abscissa,measured\n"));
+  expect_bad(tank + "empty.csv", {"empty.csv: holds no figure"});
+  expect_wrong_use(tank + "tank.csv --format pdf", {"--format"});
 }
 
 TEST_F(Programs, ATransformedShipIsOneThatCheckPasses) {
