@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <utility>
 
 #include "core/base/constants.hpp"
@@ -32,7 +33,9 @@ ContourQuadrature::ContourQuadrature(int num_points) {
 }
 
 const ContourQuadrature& contour_quadrature(int num_points) {
-  static std::map<int, ContourQuadrature> rules;
+  static std::map<int, ContourQuadrature> rules;  // its members stay where they are
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
   return rules.try_emplace(num_points, num_points).first->second;
 }
 
@@ -49,6 +52,8 @@ ContourHarmonics::ContourHarmonics(const ContourQuadrature& rule, std::size_t to
 
 const ContourHarmonics& contour_harmonics(int num_points, std::size_t top_frequency) {
   static std::map<std::pair<int, std::size_t>, ContourHarmonics> tables;
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
   const auto key = std::pair(num_points, top_frequency);
   const auto found = tables.find(key);
   return found != tables.end()

@@ -21,7 +21,7 @@ class ContourQuadrature {
   std::vector<double> weight_;
 };
 
-/// The rule of this many points, made once and kept. Not for several threads.
+/// The rule of this many points, made once and kept; several threads may ask.
 const ContourQuadrature& contour_quadrature(int num_points);
 
 /// cos f theta and sin f theta, f = 0 ... top_frequency, at the points of a rule.
@@ -43,7 +43,7 @@ class ContourHarmonics {
   std::vector<double> sines_;
 };
 
-/// Of the rule of this many points, made once and kept. Not for several threads.
+/// Of the rule of this many points, made once and kept; several threads may ask.
 const ContourHarmonics& contour_harmonics(int num_points, std::size_t top_frequency);
 
 }  // namespace quickstrip

@@ -51,12 +51,11 @@ void add_singularity(Symmetry symmetry, const SectionHarmonics& section, double 
   }
 }
 
-System assemble(Symmetry symmetry, SectionHarmonics& section, double kappa, std::size_t num_multipoles,
+System assemble(Symmetry symmetry, const SectionHarmonics& section, double kappa, std::size_t num_multipoles,
                 std::span<const ModeNormal> normals, const SingularityMoments& moments) {
   System system;
   system.n = num_multipoles;
   system.block.resize(system.n * system.n);
-  section.reserve(num_multipoles);
   for (std::size_t i = 1; i <= system.n; ++i) {
     for (std::size_t j = 1; j <= i; ++j) {
       const double value = section.coupling(symmetry, kappa, i, j);
@@ -177,7 +176,7 @@ const ContourHarmonics& harmonics_for(std::size_t num_multipoles) {
   return contour_harmonics(4 * static_cast<int>(num_multipoles) + 48, top_frequency(num_multipoles));
 }
 
-SectionSolution solve_with(SectionHarmonics& section, double kappa, std::size_t num_multipoles,
+SectionSolution solve_with(const SectionHarmonics& section, double kappa, std::size_t num_multipoles,
                            const SingularityMoments& moments, PotentialStrengths* strengths) {
   const std::array<ModeNormal, 1> vertical = {section.heave()};
   const std::array<ModeNormal, 2> lateral = {section.sway(), section.roll()};
@@ -198,7 +197,8 @@ SectionSolution solve_with(SectionHarmonics& section, double kappa, std::size_t 
 
 }  // namespace
 
-SectionSolution MultipoleSection::solve(double kappa, int num_multipoles, PotentialStrengths* strengths) {
+SectionSolution MultipoleSection::solve(double kappa, int num_multipoles,
+                                        PotentialStrengths* strengths) const {
   QS_CHECK(kappa > 0.0 && num_multipoles >= 2 && num_multipoles <= kMaxMultipoles);
   const auto n = static_cast<std::size_t>(num_multipoles);
   return solve_with(harmonics_, kappa, n, singularity_moments(harmonics_, kappa, harmonics_for(n)),
@@ -206,7 +206,7 @@ SectionSolution MultipoleSection::solve(double kappa, int num_multipoles, Potent
 }
 
 SectionSolution MultipoleSection::solve_adaptive(double kappa, double tolerance, int most,
-                                                 PotentialStrengths* strengths) {
+                                                 PotentialStrengths* strengths) const {
   constexpr std::size_t kFirst = 24;
   const auto last = static_cast<std::size_t>(most);
   QS_CHECK(kappa > 0.0 && last >= 2 * kFirst && most <= kMaxMultipoles);

@@ -57,19 +57,22 @@ struct PotentialStrengths {
   std::array<std::vector<std::complex<double>>, kNumModes> multipoles;
 };
 
-/// A section for any number of frequencies. Keeps what does not depend on frequency.
+/// A section for any number of frequencies. Keeps what does not depend on frequency; several threads may
+/// solve.
 class MultipoleSection {
  public:
-  explicit MultipoleSection(const MappingCoefficients& a) : harmonics_(a) {}
+  explicit MultipoleSection(const MappingCoefficients& a) : harmonics_(a) { harmonics_.keep(48); }
   [[nodiscard]] const SectionHarmonics& harmonics() const { return harmonics_; }
 
   /// kappa > 0, finite; 2 <= num_multipoles <= kMaxMultipoles, in each of the two problems.
-  SectionSolution solve(double kappa, int num_multipoles, PotentialStrengths* strengths = nullptr);
+  [[nodiscard]] SectionSolution solve(double kappa, int num_multipoles,
+                                      PotentialStrengths* strengths = nullptr) const;
 
   /// Doubles the multipoles, from 24, until every value moves by less than `tolerance` (24 and 44 of the
   /// 22-44 mean, damping of 1 % of the added mass at least); not converged at `most`: says so.
-  SectionSolution solve_adaptive(double kappa, double tolerance = 1e-4, int most = kMaxMultipoles,
-                                 PotentialStrengths* strengths = nullptr);
+  [[nodiscard]] SectionSolution solve_adaptive(double kappa, double tolerance = 1e-4,
+                                               int most = kMaxMultipoles,
+                                               PotentialStrengths* strengths = nullptr) const;
 
  private:
   SectionHarmonics harmonics_;

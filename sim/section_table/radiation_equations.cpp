@@ -91,24 +91,22 @@ double SectionHarmonics::band(Symmetry symmetry, std::size_t i, std::size_t j) c
   return -0.25 * kPi * total;
 }
 
-void SectionHarmonics::reserve(std::size_t num_multipoles) {
-  grow(Symmetry::kHeave, num_multipoles);
-  grow(Symmetry::kSwayRoll, num_multipoles);
-}
-
-void SectionHarmonics::grow(Symmetry symmetry, std::size_t num_multipoles) {
-  std::vector<std::vector<double>>& rows = linear_[static_cast<std::size_t>(symmetry)];
-  for (std::size_t i = rows.size() + 1; i <= num_multipoles; ++i) {
-    std::vector<double> row;
-    for (std::size_t j = 1; j <= i; ++j) {
-      row.push_back(linear_coupling(symmetry, i, j));
+void SectionHarmonics::keep(std::size_t num_multipoles) {
+  for (const Symmetry symmetry : {Symmetry::kHeave, Symmetry::kSwayRoll}) {
+    std::vector<std::vector<double>>& rows = linear_[static_cast<std::size_t>(symmetry)];
+    for (std::size_t i = rows.size() + 1; i <= num_multipoles; ++i) {
+      std::vector<double> row;
+      for (std::size_t j = 1; j <= i; ++j) {
+        row.push_back(linear_coupling(symmetry, i, j));
+      }
+      rows.push_back(std::move(row));
     }
-    rows.push_back(std::move(row));
   }
 }
 
 double SectionHarmonics::coupling(Symmetry symmetry, double kappa, std::size_t i, std::size_t j) const {
-  double value = kappa * linear_[static_cast<std::size_t>(symmetry)][i - 1][j - 1];
+  const std::vector<std::vector<double>>& kept = linear_[static_cast<std::size_t>(symmetry)];
+  double value = kappa * (i <= kept.size() ? kept[i - 1][j - 1] : linear_coupling(symmetry, i, j));
   if (i - j < chain_length()) {
     value += kappa * kappa * band(symmetry, i, j);
   }

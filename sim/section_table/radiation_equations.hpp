@@ -52,12 +52,12 @@ class SectionHarmonics {
   [[nodiscard]] const ModeNormal& roll() const { return roll_; }
   /// w and dw/dtheta from cos f theta, sin f theta, f = 0 ... 2N.
   [[nodiscard]] MappedPoint point(std::span<const double> cosines, std::span<const double> sines) const;
-  /// -int phi_i d psi_j/dtheta = linear kappa + diagonal + kappa^2 band; kept, and grown when asked for more.
+  /// -int phi_i d psi_j/dtheta = linear kappa + diagonal + kappa^2 band; i >= j, from 1.
   [[nodiscard]] double coupling(Symmetry symmetry, double kappa, std::size_t i, std::size_t j) const;
-  void reserve(std::size_t num_multipoles);
+  /// Keeps the linear part for as many multipoles.
+  void keep(std::size_t num_multipoles);
 
  private:
-  void grow(Symmetry symmetry, std::size_t num_multipoles);
   [[nodiscard]] double linear_coupling(Symmetry symmetry, std::size_t i, std::size_t j) const;
   [[nodiscard]] double band(Symmetry symmetry, std::size_t i, std::size_t j) const;
 
