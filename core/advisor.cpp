@@ -59,13 +59,14 @@ Result<SpeedList> list_speeds(const GridDefinition& grid) {
 }  // namespace
 
 Status Advisor::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
-                          const SteadinessOptions& steadiness) {
+                          const SteadinessOptions& steadiness, const HullTable* table) {
   state_ = State::kNotConfigured;
   steadiness_.configure(steadiness);
   has_sea_ = false;
   hull_ = hull;
   criteria_ = criteria;
   method_ = method;
+  table_ = table;
   loading_ = hull.loading;
   if (const Status status = check_criteria(criteria_, hull_); !status) {
     return status;
@@ -83,7 +84,7 @@ Status Advisor::configure(const Hull& hull, const Criteria& criteria, const Stri
 }
 
 Status Advisor::build(const Loading& loading) {
-  if (const Status status = load(hull_, loading, method_, loaded_); !status) {
+  if (const Status status = load(hull_, loading, method_, loaded_, table_); !status) {
     return status;
   }
   if (const Status status = list_channels(hull_, loading, loaded_.hydrostatics, method_.swell_up, watch_);

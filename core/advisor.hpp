@@ -31,6 +31,7 @@
 #include "core/hull/hull.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
+#include "core/strip/hull_table.hpp"
 #include "core/strip/loaded_hull.hpp"
 #include "core/strip/method.hpp"
 #include "core/strip/transfer_functions.hpp"
@@ -39,11 +40,12 @@ namespace quickstrip {
 
 class Advisor {
  public:
-  /// With the hull's own loading. Errors: those of check_criteria, load, list_channels,
+  /// With the hull's own loading. `table`: compiled for this hull, or null (Lewis forms); it must outlive the
+  /// advisor. Errors: those of check_criteria, load, list_channels,
   /// list_people_channels, solve_transfer_functions; kOutOfRange or kTooMany for the grid definition. After
   /// an error not configured.
   Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
-                   const SteadinessOptions& steadiness = {});
+                   const SteadinessOptions& steadiness = {}, const HullTable* table = nullptr);
 
   /// One cycle. The reference stays valid until the next step.
   const StepOutput& step(const StepInputs& inputs);
@@ -94,6 +96,7 @@ class Advisor {
   Hull hull_;
   Criteria criteria_;
   StripMethod method_;
+  const HullTable* table_ = nullptr;
   Loading loading_;  // in force, due or refused: see state_
   std::size_t num_headings_ = 0;
   LoadedHull loaded_;

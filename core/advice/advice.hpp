@@ -34,8 +34,9 @@ enum QualityBit : std::uint32_t {
   kQualityRollDampingRange = 1u << 11,  // roll damping outside the range of its formulas
   kQualityRollNotConverged = 1u << 12,  // roll linearisation ended with a residual worth saying
   kQualitySpeedNotKept = 1u << 13,      // takes more power than the hull file gives
+  kQualityOutsideHullTable = 1u << 14,  // draughts that the compiled hull table lacks: Lewis forms stand in
 };
-inline constexpr std::size_t kNumQualityBits = 14;
+inline constexpr std::size_t kNumQualityBits = 15;
 
 inline constexpr std::uint8_t kNoCriterion = 255;
 inline constexpr std::uint8_t kNoSystem = 255;

@@ -26,6 +26,9 @@ std::uint32_t hull_quality(const LoadedHull& loaded, const Loading& loading) {
   if (loaded.has_replaced_section) {
     quality |= kQualityReplacedSection;
   }
+  if (loaded.is_outside_table) {
+    quality |= kQualityOutsideHullTable;
+  }
   if (loaded.lpp < kLowLengthBreadth * loaded.breadth) {
     quality |= kQualityLowLengthBreadth;
   }

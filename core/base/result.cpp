@@ -34,6 +34,18 @@ const char* message(Error error) {
       return "the advisor is not configured";
     case Error::kTableCorrupt:
       return "the section table's checksum is wrong";
+    case Error::kHullTableForeign:
+      return "this is not a hull table";
+    case Error::kHullTableVersion:
+      return "the hull table is of another version of the program; compile it again";
+    case Error::kHullTableTruncated:
+      return "the hull table is cut short or too long";
+    case Error::kHullTableCorrupt:
+      return "the hull table is damaged: its checksum or contents are wrong";
+    case Error::kHullTableOtherHull:
+      return "the hull table is of another hull";
+    case Error::kHullTableNeeded:
+      return "loads by boundary values need a compiled hull table";
     case Error::kSingular:
       return "the equations of motion are singular";
   }

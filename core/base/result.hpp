@@ -26,6 +26,13 @@ enum class Error : std::uint8_t {
   // state
   kNotConfigured,
   kTableCorrupt,
+  // a compiled hull table (strip/hull_table.hpp)
+  kHullTableForeign,
+  kHullTableVersion,
+  kHullTableTruncated,
+  kHullTableCorrupt,
+  kHullTableOtherHull,
+  kHullTableNeeded,
   // numerics
   kSingular,
 };

@@ -19,16 +19,19 @@ double haskind_amplitude(const LoadedHull& hull, double damping, double omega) {
 
 }  // namespace
 
-void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection& out) {
+void beam_sea_correction(const LoadedHull& hull, double omega, SectionDiffraction& out) {
   static_assert(sizeof(SectionHydrodynamics) < 8192, "kept on the stack");
   SectionHydrodynamics section;
   section_hydrodynamics(hull, omega, section);
   const double k = wave_number(omega, hull.gravity);
   const bool is_radiated = hull.method.beam_loads == BeamLoads::kRadiatedWave;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
-    // All on the Lewis form that a and b belong to: then the correction vanishes in long waves, term by term.
-    const FroudeKrilov fk = froude_krilov(hull.lewis_contour[i].view(), 0.5 * hull.lewis[i].breadth,
-                                          hull.density, hull.gravity, k, EncounterAngle{0.5 * kPi});
+    // All on the form that a and b belong to: then the correction vanishes in long waves, term by term.
+    const bool is_lewis = hull.table == nullptr;
+    const double breadth = is_lewis ? hull.lewis[i].breadth : 2.0 * hull.half_breadth[i];
+    const FroudeKrilov fk =
+        froude_krilov(is_lewis ? hull.lewis_contour[i].view() : hull.wave_contour[i].view(), 0.5 * breadth,
+                      hull.density, hull.gravity, k, EncounterAngle{0.5 * kPi});
     // Equivalent displacements: zeta*_2 = -i factor, zeta*_3 = factor.
     const Complex sway = -kI * fk.horizontal_factor;
     const Complex x2 =
@@ -46,7 +49,7 @@ void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection
     const Complex x3h(r, std::sqrt(std::max(0.0, h3 * h3 - r * r)));
 
     // The square root is of order omega and would spoil the long-wave limit in oblique seas.
-    const double kb = k * hull.lewis[i].breadth / 0.04;
+    const double kb = k * breadth / 0.04;
     out.sway[i] = x2h - x2;
     out.roll[i] = lever * x2h - x4;
     out.heave[i] = (x3h - x3) * (1.0 - std::exp(-kb * kb));

@@ -57,19 +57,19 @@ std::array<Complex, 6> lateral_loads_between(const LoadedHull& hull, const Direc
   interpolate(cubic, n, section(&SectionWaves::sway), sections.sway);
   interpolate(cubic, n, section(&SectionWaves::roll), sections.roll);
   interpolate(cubic, n, section(&SectionWaves::horizontal_factor), sections.horizontal_factor);
-  const bool is_corrected = !waves.corrections.empty();
-  BeamSeaCorrection correction;
-  if (is_corrected) {
+  const bool has_diffraction = !waves.diffraction.empty();
+  SectionDiffraction diffraction;
+  if (has_diffraction) {
     const auto part = [&waves](auto member) {
       return [&waves, member](std::size_t f) -> const ComplexSectionValues& {
-        return waves.corrections[f].*member;
+        return waves.diffraction[f].*member;
       };
     };
-    interpolate(cubic, n, part(&BeamSeaCorrection::sway), correction.sway);
-    interpolate(cubic, n, part(&BeamSeaCorrection::roll), correction.roll);
+    interpolate(cubic, n, part(&SectionDiffraction::sway), diffraction.sway);
+    interpolate(cubic, n, part(&SectionDiffraction::roll), diffraction.roll);
   }
   WaveField field;
-  lateral_wave_field(hull, omega, mu, sections, is_corrected ? &correction : nullptr, field);
+  lateral_wave_field(hull, omega, mu, sections, has_diffraction ? &diffraction : nullptr, field);
   SectionHydrodynamics hydrodynamics;
   section_hydrodynamics(hull, omega_e, hydrodynamics);
   return lateral_wave_loads(hull, field, hydrodynamics, omega_e, speed);

@@ -19,12 +19,12 @@
 
 namespace quickstrip {
 
-/// At the wave frequencies of one direction, all of one length; no corrections: loads by equivalent motions
-/// alone.
+/// At the wave frequencies of one direction, all of one length; none of `diffraction`: loads by equivalent
+/// motions alone.
 struct DirectionWaves {
   std::span<const double> omega;
   std::span<const SectionWaves> sections;
-  std::span<const BeamSeaCorrection> corrections;
+  std::span<const SectionDiffraction> diffraction;
 };
 
 /// How far the wave at the ends of the ship turns against midships from one frequency to the next [rad].

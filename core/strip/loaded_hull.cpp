@@ -51,29 +51,63 @@ void set_quadrature(const LewisSection& form, ContourQuadrature<N>& q) {
   }
 }
 
-// From the section table, in SI about O, then moved to G: a24_G = a24 + OG a22 (NOTATION.md: OG up +).
-void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, SectionHydrodynamics& out) {
+// Of one section about O, SI.
+struct AboutO {
+  double a22 = 0.0;
+  double b22 = 0.0;
+  double a24 = 0.0;
+  double b24 = 0.0;
+  double a33 = 0.0;
+  double b33 = 0.0;
+  double a44 = 0.0;
+  double b44 = 0.0;
+};
+
+AboutO lewis_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega) {
   const LewisSection& form = hull.lewis[i];
   const double xi = omega * omega * form.breadth / (2.0 * hull.gravity);
   const SectionCoefficients c = section_coefficients(hull.column[i], xi);
-  const double rho_a = hull.density * form.area;
   const double per_second = std::sqrt(2.0 * hull.gravity / form.breadth);
-  const double b1 = form.breadth;
+  const double rho_a = hull.density * form.area;
+  const double rho_ab = rho_a * form.breadth;
+  const double rho_ab2 = rho_ab * form.breadth;
+  return {.a22 = rho_a * c.a22,
+          .b22 = rho_a * c.b22 * per_second,
+          .a24 = rho_ab * c.a24,
+          .b24 = rho_ab * c.b24 * per_second,
+          .a33 = rho_a * c.a33,
+          .b33 = rho_a * c.b33 * per_second,
+          .a44 = rho_ab2 * c.a44,
+          .b44 = rho_ab2 * c.b44 * per_second};
+}
+
+AboutO compiled_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega) {
+  const OscillationValues v = hull.table->oscillation(hull.level[i], omega * omega / hull.gravity);
+  const double rho = hull.density;
+  const double rho_omega = rho * omega;
+  return {.a22 = rho * v[kTableA22],
+          .b22 = rho_omega * v[kTableH2] * v[kTableH2],
+          .a24 = rho * v[kTableA24],
+          .b24 = rho_omega * v[kTableH2] * v[kTableH4],
+          .a33 = rho * v[kTableA33],
+          .b33 = rho_omega * v[kTableH3] * v[kTableH3],
+          .a44 = rho * v[kTableA44],
+          .b44 = rho_omega * v[kTableH4] * v[kTableH4]};
+}
+
+// Moved to G: a24_G = a24 + OG a22 (NOTATION.md: OG up +).
+void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, SectionHydrodynamics& out) {
+  const AboutO c =
+      hull.table != nullptr ? compiled_hydrodynamics(hull, i, omega) : lewis_hydrodynamics(hull, i, omega);
   const double og = hull.g_height;
-  const double a22 = rho_a * c.a22;
-  const double b22 = rho_a * c.b22 * per_second;
-  const double a24 = rho_a * b1 * c.a24;
-  const double b24 = rho_a * b1 * c.b24 * per_second;
-  const double a44 = rho_a * b1 * b1 * c.a44;
-  const double b44 = rho_a * b1 * b1 * c.b44 * per_second;
-  out[kA22][i] = a22;
-  out[kB22][i] = b22;
-  out[kA24][i] = a24 + og * a22;
-  out[kB24][i] = b24 + og * b22;
-  out[kA33][i] = rho_a * c.a33;
-  out[kB33][i] = rho_a * c.b33 * per_second;
-  out[kA44][i] = a44 + 2.0 * og * a24 + og * og * a22;
-  out[kB44][i] = b44 + 2.0 * og * b24 + og * og * b22;
+  out[kA22][i] = c.a22;
+  out[kB22][i] = c.b22;
+  out[kA24][i] = c.a24 + og * c.a22;
+  out[kB24][i] = c.b24 + og * c.b22;
+  out[kA33][i] = c.a33;
+  out[kB33][i] = c.b33;
+  out[kA44][i] = c.a44 + 2.0 * og * c.a24 + og * og * c.a22;
+  out[kB44][i] = c.b44 + 2.0 * og * c.b24 + og * og * c.b22;
 }
 
 void interpolate(const LoadedHull& hull, const LagrangeStencil& s, StripQuantity q, SectionValues& out) {
@@ -124,6 +158,37 @@ Status set_sections(LoadedHull& hull) {
   return {};
 }
 
+// Where a table holds this hull at these draughts: each section's place in it.
+Status bind_table(const Hull& hull, const Loading& loading, const HullTable* table, LoadedHull& out) {
+  out.table = nullptr;
+  out.is_outside_table = false;
+  if (table == nullptr) {
+    return out.method.loads == DiffractionLoads::kBoundaryValue ? Status{Error::kHullTableNeeded} : Status{};
+  }
+  if (const Status same = table->check_hull(hull); !same) {
+    return same;
+  }
+  if (!table->covers(hull, loading)) {
+    out.is_outside_table = true;
+    if (out.method.loads == DiffractionLoads::kBoundaryValue) {
+      out.method.loads = DiffractionLoads::kHaskind;
+    }
+    return {};
+  }
+  std::size_t station = 0;  // sections are stations, those out of the water left out
+  for (std::size_t i = 0; i < out.num_sections; ++i) {
+    while (hull.stations[station].x < out.immersed[i].x) {
+      ++station;
+    }
+    out.level[i] = table->level_stencil(station, out.immersed[i].waterline_z);
+  }
+  out.table = table;
+  if (table->sections() != HullSections::kLewis) {
+    out.has_replaced_section = false;
+  }
+  return {};
+}
+
 // Roll moment of Froude-Krilov loads: the contours give the stiffness of the solid G. In a long wave the
 // liquid in tanks (and whatever else a given GM stands for) sees the same tilted gravity as the ship, so the
 // difference acts as a lever of the sway force; then roll tends to the wave slope (formulas §6, "roll moment
@@ -163,7 +228,8 @@ Status set_roll_damping(const RollDamping& given, double viscosity, LoadedHull& 
 
 }  // namespace
 
-Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out) {
+Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out,
+            const HullTable* table) {
   if (!section_table_is_intact()) {
     return Error::kTableCorrupt;
   }
@@ -188,6 +254,9 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
   out.g_height = floating->kg - floating->draught_at_lcb;
   if (const Status placed = set_sections(out); !placed) {
     return placed;
+  }
+  if (const Status bound = bind_table(hull, loading, table, out); !bound) {
+    return bound;
   }
 
   const double mass = floating->displacement;

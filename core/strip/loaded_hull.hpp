@@ -2,9 +2,10 @@
 // built once when the loading changes, without allocation, then only read.
 //
 // Sections: real contours (or Lewis contours for a hull of minimal form) give area, hydrostatics and
-// Froude-Krilov loads; Lewis forms give a and b. Two-dimensional coefficients are held about G at geometric
+// Froude-Krilov loads; a and b are those of Lewis forms, or of the hull's own sections where a compiled table
+// of them (hull_table.hpp) covers the loading. Two-dimensional coefficients are held about G at geometric
 // nodes of encounter frequency, 0.05 ... 50 sqrt(g/L), and interpolated there by second-degree Lagrange
-// polynomials in ln(omega) [Journee1992] §4; outside the nodes they come from the section table directly.
+// polynomials in ln(omega) [Journee1992] §4; outside the nodes they come from either table directly.
 // Memory: about 1.3 MB, static. Cost of `load`: 96 nodes x stations table look-ups, a few ms.
 #pragma once
 
@@ -20,6 +21,7 @@
 #include "core/hull/hull.hpp"
 #include "core/hull/hydrostatics.hpp"
 #include "core/hull/lewis_section.hpp"
+#include "core/strip/hull_table.hpp"
 #include "core/strip/method.hpp"
 #include "core/strip/roll_damping.hpp"
 #include "core/strip/section_table.hpp"
@@ -103,6 +105,9 @@ struct LoadedHull {
   std::optional<Stabiliser> stabiliser;  // more while they work
   double roll_natural_frequency = 0.0;   // rad/s, with a44 there, undamped
   bool has_replaced_section = false;
+  const HullTable* table = nullptr;                // of a and b; null: Lewis forms
+  bool is_outside_table = false;                   // a table was given, but not for these draughts
+  std::array<LevelStencil, kMaxStations> level{};  // in it, by section
 
   std::size_t num_sections = 0;
   SectionValues x{};             // from G, + forward [m]
@@ -123,9 +128,13 @@ struct LoadedHull {
       node_integrals{};  // of `node`: linear in it, so interpolated alike
 };
 
-/// Fills `out`, after verifying the section table's checksum. Errors: kTableCorrupt, those of immerse() and
-/// hydrostatics(), kOutOfRange for a section outside the table, kNotFinite. On error `out` is not to be used.
-Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out);
+/// Fills `out`, after verifying the section table's checksum. `table`: compiled for this hull, or null; `out`
+/// keeps the pointer. Where it does not cover the loading, Lewis forms stand in (is_outside_table), and loads
+/// by boundary values become kHaskind's. Errors: kTableCorrupt, kHullTableOtherHull, kHullTableNeeded
+/// (kBoundaryValue without a table), those of immerse() and hydrostatics(), kOutOfRange for a section outside
+/// the section table, kNotFinite. On error `out` is not to be used.
+Status load(const Hull& hull, const Loading& loading, const StripMethod& method, LoadedHull& out,
+            const HullTable* table = nullptr);
 
 /// Replaces the added roll damping by `ratio` of critical (0 ... 1): b44 = 2 ratio c44 / omega_n.
 void set_roll_damping_ratio(LoadedHull& hull, double ratio);

@@ -11,8 +11,9 @@ enum class StripVariant : std::uint8_t {
 };
 
 enum class DiffractionLoads : std::uint8_t {
-  kHaskind,  // equivalent motions, corrected so that beam seas obey the Haskind relation
-  kClassic,  // equivalent accelerations and velocities alone [Journee1992] §3
+  kHaskind,        // equivalent motions, corrected so that beam seas obey the Haskind relation
+  kClassic,        // equivalent accelerations and velocities alone [Journee1992] §3
+  kBoundaryValue,  // the restrained section's own flow, of a compiled hull table (boundary_value.hpp)
 };
 
 enum class BeamLoads : std::uint8_t {

@@ -8,6 +8,7 @@
 
 #include "core/base/check.hpp"
 #include "core/base/constants.hpp"
+#include "core/base/fnv1a64.hpp"
 #include "core/base/interpolation.hpp"
 #include "core/hull/lewis_section.hpp"
 #include "core/strip/section_table_data.hpp"
@@ -64,20 +65,6 @@ SectionQuantities smooth_quantities(const SectionTableColumn& column, double kap
   }
   return sum;
 }
-
-class Fnv1a64 {
- public:
-  void add(std::uint32_t word) { hash_ = (hash_ ^ word) * 0x100000001b3U; }
-  void add(double node) {
-    const auto bits = std::bit_cast<std::uint64_t>(node);
-    add(static_cast<std::uint32_t>(bits));
-    add(static_cast<std::uint32_t>(bits >> 32));
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325U;
-};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 #include "core/sea/dispersion.hpp"
 #include "core/strip/added_resistance.hpp"
+#include "core/strip/boundary_value.hpp"
 #include "core/strip/empirical_added_resistance.hpp"
 #include "core/strip/equations_of_motion.hpp"
 
@@ -34,12 +35,16 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
                        std::span<const RollResonance, kMaxSpeeds> resonances, TransferWorkspace& work,
                        TransferFunctions& out) {
   const EncounterAngle mu = solved_angle(m);
-  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
+  const bool has_diffraction = hull.method.loads != DiffractionLoads::kClassic;
+  if (hull.method.loads == DiffractionLoads::kBoundaryValue) {
+    boundary_value_motions(hull, std::span(out.omega).first(out.num_frequencies), mu, work.diffraction);
+  }
   WaveField field;
   ResistanceWave resistance;
   for (std::size_t f = 0; f < out.num_frequencies; ++f) {
     section_waves(hull, out.omega[f], mu, work.sections[f]);
-    wave_field(hull, out.omega[f], mu, work.sections[f], haskind ? &work.correction[f] : nullptr, field);
+    wave_field(hull, out.omega[f], mu, work.sections[f], has_diffraction ? &work.diffraction[f] : nullptr,
+               field);
     resistance_wave(hull, out.omega[f], mu, work.sections[f], resistance);
     for (std::size_t v = 0; v < out.num_speeds; ++v) {
       const MotionTransfer solved = motion_transfer(hull, field, out.speeds[v], work.load[v][f]);
@@ -54,7 +59,7 @@ Status solve_direction(const LoadedHull& hull, std::size_t m,
   }
   const std::size_t n = out.num_frequencies;
   const DirectionWaves waves{std::span(out.omega).first(n), std::span(work.sections).first(n),
-                             std::span(work.correction).first(haskind ? n : 0)};
+                             std::span(work.diffraction).first(has_diffraction ? n : 0)};
   const bool rolls = m > 0 && m + 1 < kNumSolvedDirections;  // waves from astern and ahead do not
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     out.peak[v][m].clear();
@@ -103,7 +108,7 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
   }
   if (hull.method.loads == DiffractionLoads::kHaskind) {
     for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-      beam_sea_correction(hull, out.omega[f], work.correction[f]);
+      beam_sea_correction(hull, out.omega[f], work.diffraction[f]);
     }
   }
   list_empirical_resistance(hull, out);

@@ -31,7 +31,7 @@ struct MotionRow {
 /// Scratch of one direction at a time; its contents mean nothing between calls.
 struct TransferWorkspace {
   std::array<SectionWaves, kMaxFrequencies> sections{};
-  std::array<BeamSeaCorrection, kMaxFrequencies> correction{};
+  std::array<SectionDiffraction, kMaxFrequencies> diffraction{};
   std::array<std::array<std::array<Complex, 6>, kMaxFrequencies>, kMaxSpeeds> load{};
   std::array<std::array<Encounter, kMaxFrequencies>, kMaxSpeeds> encounter{};
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/sea/dispersion.hpp"
+#include "core/strip/boundary_value.hpp"
 #include "core/strip/froude_krilov.hpp"
 
 namespace quickstrip {
@@ -104,8 +105,22 @@ void set_velocity(const LoadedHull& hull, const Phases& phase, const ComplexSect
   slope_weights(hull, times_x, {x_aft * end.aft, x_fore * end.fore}, velocity_slope[1]);
 }
 
+// The orbital velocity at the surface made that of an equivalent motion, by section. A slope then acts on the
+// coefficient and the factor together: the momentum of the restrained section's own flow.
+void scale_velocity(const LoadedHull& hull, const ComplexSectionValues& factor,
+                    std::array<ComplexSectionValues, 2>& velocity,
+                    std::array<ComplexSectionValues, 2>& velocity_slope) {
+  for (std::size_t n = 0; n < 2; ++n) {
+    for (std::size_t i = 0; i < hull.num_sections; ++i) {
+      velocity[n][i] *= factor[i];
+      velocity_slope[n][i] *= factor[i];
+    }
+  }
+}
+
 void set_longitudinal(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
-                      const BeamSeaCorrection* correction, WaveField& out) {
+                      const SectionDiffraction* diffraction, WaveField& out) {
+  const bool is_solved = diffraction != nullptr && hull.method.loads == DiffractionLoads::kBoundaryValue;
   ComplexSectionValues velocity;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const double x = hull.x[i];
@@ -115,18 +130,23 @@ void set_longitudinal(const LoadedHull& hull, const Phases& phase, const Section
     out.froude_krilov[0] += x1;
     out.froude_krilov[2] += x3;
     out.froude_krilov[4] += -x * x3 - hull.centroid_below_g[i] * x1;
-    velocity[i] = kI * out.omega * sections.heave_factor[i] * phase.at[i];  // zd_3 = i omega factor
-    if (correction != nullptr) {
-      const Complex dx3 = weighted * phase.sin_mu * phase.sin_mu * correction->heave[i];
+    const double factor = is_solved ? 1.0 : sections.heave_factor[i];
+    velocity[i] = kI * out.omega * factor * phase.at[i];  // zd_3 = i omega factor
+    if (diffraction != nullptr && !is_solved) {
+      const Complex dx3 = weighted * phase.sin_mu * phase.sin_mu * diffraction->heave[i];
       out.beam_correction[2] += dx3;
       out.beam_correction[4] -= x * dx3;
     }
   }
   set_velocity(hull, phase, velocity, out.heave_velocity, out.heave_velocity_slope);
+  if (is_solved) {
+    scale_velocity(hull, diffraction->heave, out.heave_velocity, out.heave_velocity_slope);
+  }
 }
 
 void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
-                 const BeamSeaCorrection* correction, WaveField& out) {
+                 const SectionDiffraction* diffraction, WaveField& out) {
+  const bool is_solved = diffraction != nullptr && hull.method.loads == DiffractionLoads::kBoundaryValue;
   ComplexSectionValues velocity;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const double x = hull.x[i];
@@ -136,15 +156,23 @@ void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves
     out.froude_krilov[3] += -kI * weighted * sections.roll[i] + (hull.g_height + hull.roll_lever_shift) * x2;
     out.froude_krilov[5] += x * x2;
     // zd_2 = i omega (-i sin mu factor).
-    velocity[i] = out.omega * phase.sin_mu * sections.horizontal_factor[i] * phase.at[i];
-    if (correction != nullptr) {
-      const Complex dx2 = weighted * phase.sin_mu * correction->sway[i];
+    const double factor = is_solved ? 1.0 : sections.horizontal_factor[i];
+    velocity[i] = out.omega * phase.sin_mu * factor * phase.at[i];
+    if (diffraction != nullptr && !is_solved) {
+      const Complex dx2 = weighted * phase.sin_mu * diffraction->sway[i];
       out.beam_correction[1] += dx2;
-      out.beam_correction[3] += weighted * phase.sin_mu * correction->roll[i];
+      out.beam_correction[3] += weighted * phase.sin_mu * diffraction->roll[i];
       out.beam_correction[5] += x * dx2;
     }
   }
   set_velocity(hull, phase, velocity, out.sway_velocity, out.sway_velocity_slope);
+  if (is_solved) {
+    for (std::size_t i = 0; i < hull.num_sections; ++i) {
+      out.roll_velocity[i] = out.sway_velocity[0][i] * diffraction->roll[i];
+      out.roll_velocity_slope[i] = out.sway_velocity_slope[0][i] * diffraction->roll[i];
+    }
+    scale_velocity(hull, diffraction->sway, out.sway_velocity, out.sway_velocity_slope);
+  }
 }
 
 void start_field(double omega, EncounterAngle mu, WaveField& out) {
@@ -165,24 +193,47 @@ Complex speed_lever(double omega_e, double speed) {
   return speed / (kI * omega_e);
 }
 
+bool is_corrected(const LoadedHull& hull) {
+  return hull.method.loads == DiffractionLoads::kHaskind &&
+         hull.method.beam_loads == BeamLoads::kRadiatedWave;
+}
+
 void add_lateral_loads(const LoadedHull& hull, const WaveField& field, const SectionHydrodynamics& section,
                        double omega_e, double speed, std::array<Complex, 6>& load) {
   const auto sway = [&](std::size_t n, StripQuantity a, StripQuantity b) {
     return diffraction(hull, section[a], section[b], field.sway_velocity[n], field.sway_velocity_slope[n],
                        field.omega, omega_e, speed);
   };
-  const std::array<Complex, 3> diffracted = {sway(0, kA22, kB22), sway(0, kA24, kB24), sway(1, kA22, kB22)};
+  std::array<Complex, 3> diffracted = {sway(0, kA22, kB22), sway(0, kA24, kB24), sway(1, kA22, kB22)};
+  if (hull.method.loads == DiffractionLoads::kBoundaryValue) {
+    diffracted[1] += diffraction(hull, section[kA22], section[kB22], field.roll_velocity,
+                                 field.roll_velocity_slope, field.omega, omega_e, speed);
+  }
   const double weight = oblique_weight(field, omega_e);
   for (std::size_t n = 0; n < 3; ++n) {
     const std::size_t i = 2 * n + 1;
     load[i] = field.froude_krilov[i] + diffracted[n] + weight * field.beam_correction[i];
   }
-  if (hull.method.beam_loads == BeamLoads::kRadiatedWave) {
+  if (is_corrected(hull)) {
     load[5] += weight * speed_lever(omega_e, speed) * field.beam_correction[1];
   }
 }
 
 }  // namespace
+
+bool section_diffraction(const LoadedHull& hull, double omega, EncounterAngle mu, SectionDiffraction& out) {
+  switch (hull.method.loads) {
+    case DiffractionLoads::kHaskind:
+      beam_sea_correction(hull, omega, out);
+      return true;
+    case DiffractionLoads::kBoundaryValue:
+      boundary_value_motions(hull, {&omega, 1}, mu, {&out, 1});
+      return true;
+    case DiffractionLoads::kClassic:
+      break;
+  }
+  return false;
+}
 
 void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out) {
   const double k = wave_number(omega, hull.gravity);
@@ -199,31 +250,28 @@ void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, Sect
 }
 
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
-                const BeamSeaCorrection* correction, WaveField& out) {
+                const SectionDiffraction* diffraction, WaveField& out) {
   Phases phase;
   phases(hull, wave_number(omega, hull.gravity), mu, phase);
   start_field(omega, mu, out);
-  set_longitudinal(hull, phase, sections, correction, out);
-  set_lateral(hull, phase, sections, correction, out);
+  set_longitudinal(hull, phase, sections, diffraction, out);
+  set_lateral(hull, phase, sections, diffraction, out);
 }
 
 void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
-                        const BeamSeaCorrection* correction, WaveField& out) {
+                        const SectionDiffraction* diffraction, WaveField& out) {
   Phases phase;
   phases(hull, wave_number(omega, hull.gravity), mu, phase);
   start_field(omega, mu, out);
-  set_lateral(hull, phase, sections, correction, out);
+  set_lateral(hull, phase, sections, diffraction, out);
 }
 
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveField& out) {
-  BeamSeaCorrection correction;
-  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
-  if (haskind) {
-    beam_sea_correction(hull, omega, correction);
-  }
+  SectionDiffraction diffraction;
+  const bool has_diffraction = section_diffraction(hull, omega, mu, diffraction);
   SectionWaves sections;
   section_waves(hull, omega, mu, sections);
-  wave_field(hull, omega, mu, sections, haskind ? &correction : nullptr, out);
+  wave_field(hull, omega, mu, sections, has_diffraction ? &diffraction : nullptr, out);
 }
 
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
@@ -236,7 +284,7 @@ std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field
   load[0] = field.froude_krilov[0];
   load[2] = field.froude_krilov[2] + heave(0) + field.beam_correction[2];
   load[4] = field.froude_krilov[4] - heave(1) + field.beam_correction[4];
-  if (hull.method.beam_loads == BeamLoads::kRadiatedWave) {
+  if (is_corrected(hull)) {
     // Heave's square root over omega needs a second guard of the long-wave limit.
     const double kb = wave_number(field.omega, hull.gravity) * hull.breadth / 0.2;
     load[4] -= oblique_weight(field, omega_e) * speed_lever(omega_e, speed) * (1.0 - std::exp(-kb * kb)) *

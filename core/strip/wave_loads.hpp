@@ -1,7 +1,8 @@
 // First-order wave loads on the restrained ship, about G, per metre of wave amplitude: Froude-Krilov loads on
 // the contour, diffraction loads by equivalent accelerations and velocities [Journee1992] §3 (formulas §6),
 // optionally corrected in beam seas so that they obey the Haskind relation: sway and roll in amplitude and
-// phase (sway_load_phase.hpp), heave in amplitude.
+// phase (sway_load_phase.hpp), heave in amplitude; or, with a compiled hull table, by equivalent motions that
+// stand for the restrained section's own flow (boundary_value.hpp).
 //
 // What does not depend on speed is gathered once per (omega, mu) in a WaveField; loads at a speed are then
 // dot products over the sections. Assumptions: deep water, wave of small steepness, strips independent of
@@ -20,12 +21,15 @@ namespace quickstrip {
 using Complex = std::complex<double>;
 using ComplexSectionValues = std::array<Complex, kMaxStations>;
 
-/// Corrections of the sectional loads at mu = 90 degrees and V = 0, crest at the section (formulas §6,
-/// Haskind).
-struct BeamSeaCorrection {
+/// What is known of a restrained section's diffraction, at one wave frequency:
+///  kHaskind: corrections of the loads at mu = 90 degrees and V = 0, crest at the section [N/m2, N/m], roll
+///    about G (formulas §6); of every direction alike;
+///  kBoundaryValue: equivalent motions of the water in heave and sway, dimensionless, and the roll lever [m],
+///    about O (boundary_value.hpp); of one direction.
+struct SectionDiffraction {
   ComplexSectionValues sway{};
   ComplexSectionValues heave{};
-  ComplexSectionValues roll{};  // about G
+  ComplexSectionValues roll{};
 };
 
 /// Froude-Krilov amplitudes and equivalent-motion factors of each section, without the phase of the section's
@@ -48,20 +52,26 @@ struct WaveField {
   std::array<ComplexSectionValues, 2> heave_velocity_slope{};
   std::array<ComplexSectionValues, 2> sway_velocity{};
   std::array<ComplexSectionValues, 2> sway_velocity_slope{};
+  // kBoundaryValue: of the velocities that make the roll moment through a22, b22, by a lever.
+  ComplexSectionValues roll_velocity{};
+  ComplexSectionValues roll_velocity_slope{};
   std::array<Complex, 6> beam_correction{};  // whole ship, weights of mu included, weight of omega_e not
 };
 
-/// All of a wave frequency that does not depend on direction. omega > 0 [rad/s].
-void beam_sea_correction(const LoadedHull& hull, double omega, BeamSeaCorrection& out);
+/// Of kHaskind: all of a wave frequency that does not depend on direction. omega > 0 [rad/s].
+void beam_sea_correction(const LoadedHull& hull, double omega, SectionDiffraction& out);
+
+/// What the hull's method knows of this wave alone. False: nothing (kClassic), `out` untouched.
+bool section_diffraction(const LoadedHull& hull, double omega, EncounterAngle mu, SectionDiffraction& out);
 
 void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out);
 
-/// `correction` may be null: loads by equivalent motions alone. The two halves are independent: surge, heave
-/// and pitch; sway, roll and yaw.
+/// `diffraction` as the hull's method has it, or null: loads by equivalent motions alone. The two halves are
+/// independent: surge, heave and pitch; sway, roll and yaw.
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
-                const BeamSeaCorrection* correction, WaveField& out);
+                const SectionDiffraction* diffraction, WaveField& out);
 void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
-                        const BeamSeaCorrection* correction, WaveField& out);
+                        const SectionDiffraction* diffraction, WaveField& out);
 
 /// All of one wave alone, as the hull's method has it (about 20 us).
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveField& out);

@@ -1,19 +1,22 @@
 #include "msgs/cli/method_options.hpp"
 
+#include <string>
+#include <vector>
+
 namespace quickstrip {
 namespace {
 
-void add_choice(CLI::App& command, const char* name, std::optional<std::string>& value, const char* first,
-                const char* second, const std::string& description) {
-  command.add_option(name, value, description + "; default " + first)
-      ->check(CLI::IsMember({first, second}))
+void add_choice(CLI::App& command, const char* name, std::optional<std::string>& value,
+                const std::vector<std::string>& choices, const std::string& description) {
+  command.add_option(name, value, description + "; default " + choices.front())
+      ->check(CLI::IsMember(choices))
       ->type_name("")
       ->group("METHOD");
 }
 
 }  // namespace
 
-StripMethod MethodOptions::method() const {
+StripMethod MethodOptions::method(bool has_table) const {
   StripMethod method = paper ? kPaperMethod : StripMethod{};
   if (variant) {
     method.variant = *variant == "ordinary" ? StripVariant::kOrdinary : StripVariant::kModified;
@@ -22,7 +25,11 @@ StripMethod MethodOptions::method() const {
     method.end_terms = *end_terms == "on";
   }
   if (loads) {
-    method.loads = *loads == "haskind" ? DiffractionLoads::kHaskind : DiffractionLoads::kClassic;
+    method.loads = *loads == "haskind"   ? DiffractionLoads::kHaskind
+                   : *loads == "classic" ? DiffractionLoads::kClassic
+                                         : DiffractionLoads::kBoundaryValue;
+  } else if (has_table && !paper) {
+    method.loads = DiffractionLoads::kBoundaryValue;
   }
   if (surge) {
     method.surge = *surge == "full" ? SurgeTerms::kFull : SurgeTerms::kInertiaOnly;
@@ -37,13 +44,15 @@ StripMethod MethodOptions::method() const {
 }
 
 void add_method_options(CLI::App& command, MethodOptions& options) {
-  add_choice(command, "--method", options.variant, "ordinary", "modified", "strip theory");
-  add_choice(command, "--end-terms", options.end_terms, "on", "off", "jump of added mass at the hull's ends");
-  add_choice(command, "--loads", options.loads, "haskind", "classic", "diffraction loads");
-  add_choice(command, "--surge", options.surge, "full", "inertia-only", "surge coefficients");
-  add_choice(command, "--low-encounter", options.low_encounter, "floor", "paper",
+  add_choice(command, "--method", options.variant, {"ordinary", "modified"}, "strip theory");
+  add_choice(command, "--end-terms", options.end_terms, {"on", "off"},
+             "jump of added mass at the hull's ends");
+  add_choice(command, "--loads", options.loads, {"haskind", "classic", "boundary-value"},
+             "diffraction loads; with a hull table default boundary-value, which needs one");
+  add_choice(command, "--surge", options.surge, {"full", "inertia-only"}, "surge coefficients");
+  add_choice(command, "--low-encounter", options.low_encounter, {"floor", "paper"},
              "rule near zero encounter frequency");
-  add_choice(command, "--swell-up", options.swell_up, "onboard", "off",
+  add_choice(command, "--swell-up", options.swell_up, {"onboard", "off"},
              "the ship's own waves in relative motion and freeboard (off: the unsafe side)");
   command
       .add_flag("--paper", options.paper,

@@ -19,11 +19,13 @@ struct MethodOptions {
   std::optional<std::string> low_encounter;
   std::optional<std::string> swell_up;
 
-  /// --paper first, then what was named beside it; the defaults of StripMethod for the rest.
-  [[nodiscard]] StripMethod method() const;
+  /// --paper first, then what was named beside it; the defaults of StripMethod for the rest, but boundary
+  /// values where a hull table was given.
+  [[nodiscard]] StripMethod method(bool has_table = false) const;
 };
 
-/// --method ordinary|modified  --end-terms on|off  --loads haskind|classic  --surge full|inertia-only
+/// --method ordinary|modified  --end-terms on|off  --loads haskind|classic|boundary-value  --surge
+/// full|inertia-only
 /// --low-encounter floor|paper  --swell-up onboard|off  --paper
 void add_method_options(CLI::App& command, MethodOptions& options);
 

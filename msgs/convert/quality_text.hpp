@@ -29,6 +29,7 @@ inline constexpr std::array<QualityWords, kNumQualityBits> kQualityWords{{
     {kQualityRollDampingRange, "roll_damping_range", ""},
     {kQualityRollNotConverged, "roll_not_converged", "Roll damping not settled: roll uncertain"},
     {kQualitySpeedNotKept, "speed_not_kept", "The engine cannot keep this speed in these waves"},
+    {kQualityOutsideHullTable, "outside_hull_table", "Draughts outside the hull table: less accurate"},
 }};
 
 }  // namespace quickstrip

@@ -39,15 +39,8 @@ TankWave tank_wave(const LoadedHull& hull, double lambda_over_length, double fn,
 }
 
 std::array<Complex, 6> loads_of(const LoadedHull& hull, const TankWave& wave) {
-  const bool haskind = hull.method.loads == DiffractionLoads::kHaskind;
-  BeamSeaCorrection correction;
-  if (haskind) {
-    beam_sea_correction(hull, wave.omega, correction);
-  }
-  SectionWaves sections;
-  section_waves(hull, wave.omega, wave.mu, sections);
   WaveField field;
-  wave_field(hull, wave.omega, wave.mu, sections, haskind ? &correction : nullptr, field);
+  wave_field(hull, wave.omega, wave.mu, field);
   SectionHydrodynamics section;
   section_hydrodynamics(hull, wave.omega_e, section);
   return wave_loads(hull, field, section, wave.omega_e, wave.speed);

@@ -25,23 +25,28 @@ class BeamShip {
   BeamShip(const LoadedHull& hull, const CellGrid& grid, const FrequencyRange& range)
       : hull_(hull),
         speed_(grid.speed),
-        corrections_(count_of(hull, range)),
-        omega_(corrections_.size()),
-        met_(corrections_.size()),
-        load_(corrections_.size()),
+        diffraction_(count_of(hull, range)),
+        omega_(diffraction_.size()),
+        met_(diffraction_.size()),
+        load_(diffraction_.size()),
         sections_(std::make_unique<SectionWaves>()),
         field_(std::make_unique<WaveField>()) {
     for (std::size_t i = 0; i < omega_.size(); ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(omega_.size() - 1);
       omega_[i] = range.lowest + part * (range.highest - range.lowest);
-      beam_sea_correction(hull, omega_[i], corrections_[i]);
+      if (hull.method.loads == DiffractionLoads::kHaskind) {  // of every direction alike
+        beam_sea_correction(hull, omega_[i], diffraction_[i]);
+      }
     }
   }
 
   void turn_to(EncounterAngle mu) {
     mu_ = mu;
     for (std::size_t i = 0; i < omega_.size(); ++i) {
-      met_[i] = solve_directly(omega_[i], corrections_[i], load_[i]);
+      if (hull_.method.loads == DiffractionLoads::kBoundaryValue) {
+        section_diffraction(hull_, omega_[i], mu, diffraction_[i]);
+      }
+      met_[i] = solve_directly(omega_[i], diffraction_[i], load_[i]);
     }
   }
 
@@ -78,17 +83,17 @@ class BeamShip {
         8, static_cast<std::size_t>(std::ceil((range.highest - range.lowest) / spacing)) + 1);
   }
 
-  MotionTransfer solve_directly(double omega, const BeamSeaCorrection& correction, Loads& load) {
-    const bool haskind = hull_.method.loads == DiffractionLoads::kHaskind;
+  MotionTransfer solve_directly(double omega, const SectionDiffraction& diffraction, Loads& load) {
+    const bool has_diffraction = hull_.method.loads != DiffractionLoads::kClassic;
     section_waves(hull_, omega, mu_, *sections_);
-    wave_field(hull_, omega, mu_, *sections_, haskind ? &correction : nullptr, *field_);
+    wave_field(hull_, omega, mu_, *sections_, has_diffraction ? &diffraction : nullptr, *field_);
     return motion_transfer(hull_, *field_, speed_, load);
   }
 
   const LoadedHull& hull_;
   double speed_;
   EncounterAngle mu_;
-  std::vector<BeamSeaCorrection> corrections_;
+  std::vector<SectionDiffraction> diffraction_;
   std::vector<double> omega_;
   std::vector<MotionTransfer> met_;
   std::vector<Loads> load_;
