@@ -22,6 +22,7 @@ class FrankSection {
  private:
   PanelMesh fine_;
   PanelMesh coarse_;
+  double depth_ = 0.0;  // or half breadth, the greater [m]
 };
 
 }  // namespace quickstrip

@@ -47,7 +47,7 @@ class PanelMesh {
   [[nodiscard]] Equations equations(double wave_number, bool is_even,
                                     const std::vector<PanelInfluence>& direct,
                                     const std::vector<PanelInfluence>& mirrored) const;
-  void solve(double wave_number, bool is_even, Equations& equations, PanelFlow& out) const;
+  void solve(bool is_even, Equations& equations, PanelFlow& out) const;
 
   std::vector<std::complex<double>> ends_;
   std::vector<std::complex<double>> directions_;
