@@ -25,6 +25,13 @@ double dot(std::span<const double> a, std::span<const double> b) {
 // the points' own discretisation error is (7 % of a22).
 constexpr double kInsideWeight = 3.0;
 
+// Lower bounds of K b (b half breadth at the waterline) of the irregular frequencies of any section, even and
+// odd: those of the half plane below z = 0 with phi = 0 outside the waterline, which holds every section (the
+// eigenvalues 1.1577 and 2.7547 of (-d2/dx2)^1/2 on an interval, [Kwasnicki2012]), less a margin. Below them
+// the points inside are left out: a thin neck above a bulb would make them do harm.
+constexpr double kFirstIrregularEven = 1.05;
+constexpr double kFirstIrregularOdd = 2.5;
+
 constexpr std::array<SectionMode, 1> kEvenModes = {kSectionHeave};
 constexpr std::array<SectionMode, 2> kOddModes = {kSectionSway, kSectionRoll};
 
@@ -66,11 +73,16 @@ PanelMesh::PanelMesh(const std::vector<Complex>& ends, const std::vector<Complex
   }
 }
 
+std::size_t PanelMesh::num_rows(double wave_number, bool is_even) const {
+  const double limit = is_even ? kFirstIrregularEven : kFirstIrregularOdd;
+  return wave_number * ends_.back().imag() > limit ? rows_.size() : points_.size();
+}
+
 PanelMesh::Equations PanelMesh::equations(double wave_number, bool is_even,
                                           const std::vector<PanelInfluence>& direct,
                                           const std::vector<PanelInfluence>& mirrored) const {
   const std::size_t n = points_.size();
-  const std::size_t m = rows_.size();
+  const std::size_t m = num_rows(wave_number, is_even);
   const std::span<const SectionMode> of = modes(is_even);
   const double sign = is_even ? 1.0 : -1.0;
   Equations out;
@@ -105,7 +117,7 @@ PanelMesh::Equations PanelMesh::equations(double wave_number, bool is_even,
 
 void PanelMesh::solve(bool is_even, Equations& equations, PanelFlow& out) const {
   const std::size_t n = points_.size();
-  const std::size_t m = rows_.size();
+  const std::size_t m = equations.matrix.size() / n;
   const std::span<const SectionMode> of = modes(is_even);
   least_squares(equations.matrix, equations.right, m, n);
   const auto solution = [&](std::size_t c) {
@@ -151,7 +163,7 @@ PanelFlow PanelMesh::flow(double wave_number) const {
   std::vector<PanelInfluence> direct;
   std::vector<PanelInfluence> mirrored;
   std::vector<PanelInfluence> row;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
+  for (std::size_t i = 0; i < num_rows(wave_number, true); ++i) {  // the even problem's are the more
     direct_[i].influence(wave_number, waves, row);
     direct.insert(direct.end(), row.begin(), row.end());
     mirrored_[i].influence(wave_number, waves, row);

@@ -10,11 +10,13 @@
 //
 // At the irregular frequencies (of the water inside the hull with phi = 0 on it) these equations are
 // singular. For points inside the identity reads 0 on the left of phi dG/dn: such equations for points of the
-// interior waterline are added and all are met by least squares ([Schenck1968]).
+// interior waterline are added and all are met by least squares ([Schenck1968]), from just below the first
+// irregular frequency that a section of this breadth can have.
 #pragma once
 
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 #include "sim/parent/green_function.hpp"
@@ -44,6 +46,7 @@ class PanelMesh {
 
  private:
   struct Equations;
+  [[nodiscard]] std::size_t num_rows(double wave_number, bool is_even) const;
   [[nodiscard]] Equations equations(double wave_number, bool is_even,
                                     const std::vector<PanelInfluence>& direct,
                                     const std::vector<PanelInfluence>& mirrored) const;
