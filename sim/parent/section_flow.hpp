@@ -52,7 +52,7 @@ struct DiffractionFactors {
 };
 
 /// By Green's theorem from the radiation potentials: D_j = -i omega rho int phi_j V_n ds, V_n the normal
-/// velocity of the undisturbed wave e^{kz - i k y sin mu} ([SalvesenTuckFaltinsen1970] eq. 39 f.). `k`: wave
+/// velocity of the undisturbed wave e^{kz - i k y sin mu} ([STF1970] eq. 39 f.). `k`: wave
 /// number of the wave [1/m], which at speed is not flow.wave_number; sin mu in [-1, 1], its limit at 0
 /// included.
 DiffractionFactors diffraction_factors(const SectionFlow& flow, double k, double sin_mu);
