@@ -21,6 +21,7 @@ void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
 void add_parametric(CLI::App& app);
 void add_tank(CLI::App& app);
+void add_section(CLI::App& app);
 void add_frequencies(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
@@ -39,6 +40,7 @@ inline void add_commands(CLI::App& app) {
   add_transform(app);
   add_parametric(app);
   add_tank(app);
+  add_section(app);
   add_frequencies(app);
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/measured_file.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
 #include "sim/hull_tool/tank_figures.hpp"
 
@@ -19,13 +20,6 @@ struct Options {
   std::string model;
   std::string format = "table";
 };
-
-/// The hull file's name without folder and endings: what column hull calls the model, where --model is
-/// silent.
-std::string stem(const std::string& path) {
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  return name.substr(0, name.find('.'));
-}
 
 double miss_percent(double computed, double measured) {
   return 100.0 * (computed / measured - 1.0);
@@ -81,7 +75,7 @@ std::string as_table(const std::vector<TankFigure>& figures, const std::vector<d
 
 void run(const Options& options) {
   const auto figures =
-      read_tank_file(options.with, options.model.empty() ? stem(options.strip.file) : options.model);
+      read_tank_file(options.with, options.model.empty() ? file_stem(options.strip.file) : options.model);
   const StripShip ship = load_strip_ship(options.strip);
   std::vector<double> computed;
   computed.reserve(figures.size());

@@ -12,6 +12,7 @@
 #include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/csv_file.hpp"
+#include "sim/hull_tool/measured_file.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
@@ -82,7 +83,6 @@ TankQuantity quantity_of(const CsvFile& file, std::string_view name) {
 }
 
 struct Columns {
-  std::size_t hull = CsvFile::kNone;
   std::size_t fn = CsvFile::kNone;
   std::size_t mu = CsvFile::kNone;
   std::size_t quantity = CsvFile::kNone;
@@ -92,7 +92,6 @@ struct Columns {
 
 Columns find_columns(const CsvFile& file) {
   Columns c;
-  c.hull = file.column({"hull"});
   c.fn = file.column({"fn"});
   c.mu = file.column({"mu_deg"});
   c.quantity = file.column({"quantity"});
@@ -129,27 +128,8 @@ std::string_view name_of(TankQuantity quantity) {
 std::vector<TankFigure> read_tank_file(const std::string& path, const std::string& model) {
   CsvFile file(path);
   const Columns columns = find_columns(file);
-  std::vector<TankFigure> figures;
-  std::vector<std::string> models;
-  while (file.next_line()) {
-    const TankFigure figure = figure_of(file, columns);
-    if (columns.hull != CsvFile::kNone) {
-      const std::string of(file.field(columns.hull));
-      if (std::find(models.begin(), models.end(), of) == models.end()) {
-        models.push_back(of);
-      }
-      if (of != model) {
-        continue;
-      }
-    }
-    figures.push_back(figure);
-  }
-  if (figures.empty()) {
-    throw InputError{models.empty() ? path + ": holds no figure"
-                                    : fmt::format("{}: hull = {}: --model takes one of {}", path, model,
-                                                  fmt::join(models, ", "))};
-  }
-  return figures;
+  return figures_of_model<TankFigure>(file, path, "hull", model,
+                                      [&](const CsvFile& line) { return figure_of(line, columns); });
 }
 
 double computed_figure(const LoadedHull& hull, const TankFigure& figure) {
