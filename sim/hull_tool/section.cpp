@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,12 @@ const std::map<std::string, SectionMethod> kMethods = {{"lewis", SectionMethod::
                                                        {"close-fit", SectionMethod::kCloseFit},
                                                        {"frank", SectionMethod::kFrank}};
 
-std::string name_of_method(SectionMethod method) {
-  for (const auto& [name, value] : kMethods) {
-    if (value == method) {
-      return name;
-    }
+TrueSection section_of(const Options& options, const SectionContour& contour) {
+  try {
+    return {contour, kMethods.at(options.sections)};
+  } catch (const std::invalid_argument& error) {
+    throw InputError{fmt::format("{}: {}", options.contour, error.what())};
   }
-  return "";
 }
 
 void run(const Options& options) {
@@ -43,9 +43,9 @@ void run(const Options& options) {
   }
   const auto figures =
       read_section_figures(options.with, options.model.empty() ? file_stem(options.contour) : options.model);
-  const TrueSection section(contour, kMethods.at(options.sections));
+  const TrueSection section = section_of(options, contour);
   if (section.method() != kMethods.at(options.sections)) {
-    fmt::print(stderr, "{}: solved by {}\n", options.contour, name_of_method(section.method()));
+    fmt::print(stderr, "{}: solved by {}\n", options.contour, name_of(section.method()));
   }
   Csv csv("sections,quantity,abscissa,measured,computed,miss_percent");
   for (const SectionFigure& figure : figures) {
@@ -55,7 +55,7 @@ void run(const Options& options) {
       fmt::print(stderr, "{} at {}: the solution's own check failed\n", name_of(figure.quantity),
                  number_text(figure.abscissa));
     }
-    csv.add(std::string_view(name_of_method(section.method()))).add(name_of(figure.quantity));
+    csv.add(name_of(section.method())).add(name_of(figure.quantity));
     csv.add(figure.abscissa).add(figure.measured).add(computed);
     csv.add(100.0 * (computed / figure.measured - 1.0));
     csv.end_row();
