@@ -9,7 +9,7 @@
 // only.
 //
 // Here: the part of G that is in phase with the source (the rest is a product, f(P) e(Q), see frank.cpp).
-// Error of F 1e-12 (tests/parent). Cost 0.05 us to 0.2 us an end.
+// Error of F 5e-12 (tests/parent). Cost 0.05 us to 0.2 us an end.
 #pragma once
 
 #include <complex>
