@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/parent/close_fit.hpp"
 #include "sim/parent/frank.hpp"
 #include "sim/parent/mapped_flow.hpp"
 
@@ -45,9 +46,19 @@ const char* name_of(SectionMethod method) {
   return "frank";
 }
 
-// The close fit is not there yet: Frank's method takes its place, and method() says so.
-TrueSection::TrueSection(const SectionContour& contour, SectionMethod method)
-    : method_(method == SectionMethod::kLewis ? method : SectionMethod::kFrank),
-      solve_(method == SectionMethod::kLewis ? shared(lewis_form(contour)) : shared(FrankSection(contour))) {}
+TrueSection::TrueSection(const SectionContour& contour, SectionMethod method) : method_(method) {
+  if (method == SectionMethod::kLewis) {
+    solve_ = shared(lewis_form(contour));
+    return;
+  }
+  if (method == SectionMethod::kCloseFit) {
+    if (const CloseFit fit = close_fit(contour); fit.is_conventional) {
+      solve_ = shared(mapped_section(fit));
+      return;
+    }
+  }
+  method_ = SectionMethod::kFrank;
+  solve_ = shared(FrankSection(contour));
+}
 
 }  // namespace quickstrip
