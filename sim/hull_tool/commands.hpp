@@ -20,6 +20,7 @@ void add_zones(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_transform(CLI::App& app);
 void add_parametric(CLI::App& app);
+void add_mapping(CLI::App& app);
 void add_tank(CLI::App& app);
 void add_section(CLI::App& app);
 void add_frequencies(CLI::App& app);
@@ -39,6 +40,7 @@ inline void add_commands(CLI::App& app) {
   add_compare(app);
   add_transform(app);
   add_parametric(app);
+  add_mapping(app);
   add_tank(app);
   add_section(app);
   add_frequencies(app);

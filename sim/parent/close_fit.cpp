@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "core/base/check.hpp"
 #include "core/base/constants.hpp"
@@ -98,10 +99,14 @@ CloseFit close_fit(const SectionContour& contour, int num_coefficients) {
     return best;
   }
   MappingFitter fitter(contour);
+  std::vector<MappingFit> fits;
   for (int n = 1; n <= num_coefficients; ++n) {
-    const CloseFit fit = fit_of(fitter.next(), contour);
-    if (n >= kLeastMappingCoefficients && has_flow(fit)) {
-      best = fit;
+    fits.push_back(fitter.next());
+  }
+  for (auto fit = fits.rbegin(); fit + 1 != fits.rend() && best.a.empty(); ++fit) {
+    const CloseFit tried = fit_of(*fit, contour);
+    if (has_flow(tried)) {
+      best = tried;
     }
   }
   best.reason = why_not(best, contour);

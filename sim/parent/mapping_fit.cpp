@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "core/base/constants.hpp"
 #include "sim/section_table/linear_solve.hpp"
@@ -26,18 +27,23 @@ struct CurvePoint {
   Offset bend;
 };
 CurvePoint curve_point(const MappingFit& fit, double theta) {
-  CurvePoint at;
-  for (std::size_t k = 0; k <= fit.num_coefficients; ++k) {
-    const double f = frequency(k);
-    const double c = fit.powers[k] * std::cos(f * theta);
-    const double s = fit.powers[k] * std::sin(f * theta);
-    const double sign = k == 0 ? 1.0 : -1.0;
-    at.point.y += sign * s;
-    at.point.z -= c;
-    at.slope.y += sign * f * c;
-    at.slope.z += f * s;
-    at.bend.y -= sign * f * f * s;
-    at.bend.z += f * f * c;
+  const std::complex<double> turn = std::polar(1.0, theta);
+  const std::complex<double> twice = turn * turn;
+  std::complex<double> harmonic = turn;  // of Z, then of Z^{-(2n-1)}
+  double cosine = fit.powers[0] * turn.real();
+  double sine = fit.powers[0] * turn.imag();
+  CurvePoint at{{sine, -cosine}, {cosine, sine}, {-sine, cosine}};
+  for (std::size_t n = 1; n <= fit.num_coefficients; ++n) {
+    const double f = frequency(n);
+    cosine = fit.powers[n] * harmonic.real();
+    sine = fit.powers[n] * harmonic.imag();
+    at.point.y -= sine;
+    at.point.z -= cosine;
+    at.slope.y -= f * cosine;
+    at.slope.z += f * sine;
+    at.bend.y += f * f * sine;
+    at.bend.z += f * f * cosine;
+    harmonic *= twice;
   }
   return at;
 }
@@ -128,9 +134,11 @@ MappingFit MappingFitter::step(const MappingFit& fit, double damping) const {
     const double ny = at.slope.z / speed;
     const double nz = -at.slope.y / speed;
     const double error = ny * (sample.point.y - at.point.y) + nz * (sample.point.z - at.point.z);
+    const std::complex<double> turn = std::polar(1.0, sample.theta);
+    std::complex<double> harmonic = turn;
     for (std::size_t k = 0; k < n; ++k) {
-      const double angle = frequency(k) * sample.theta;
-      row[k] = (k == 0 ? ny : -ny) * std::sin(angle) - nz * std::cos(angle);
+      row[k] = (k == 0 ? ny : -ny) * harmonic.imag() - nz * harmonic.real();
+      harmonic *= k == 0 ? 1.0 : turn * turn;
       change[k] += sample.weight * error * row[k];
       for (std::size_t j = 0; j <= k; ++j) {
         matrix[k * size + j] += sample.weight * row[j] * row[k];

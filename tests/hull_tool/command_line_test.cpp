@@ -167,6 +167,17 @@ TEST(HullTool, SectionsListsEveryStationAndSaysWhichFormsAreReplaced) {
   EXPECT_EQ(replaced, "8.75 175 ");  // the re-entrant skeg and the bulb at the forward perpendicular
 }
 
+TEST(HullTool, MappingSaysHowNearItComesAndWhySectionsGoToFrank) {
+  const Outcome s175 = run("mapping " + kHulls + "s175.hull.toml");
+  EXPECT_EQ(s175.exit_code, 0) << s175.err;
+  EXPECT_EQ(s175.out.rfind("x_m,coefficients,rms_error_mm,", 0), 0U);
+  EXPECT_NE(s175.out.find("\n87.5,10,"), std::string::npos);
+  EXPECT_NE(s175.out.find(",0,thinner than a twentieth of its draught\n"), std::string::npos);
+  const Outcome kcs = run("mapping " + kHulls + "kcs.hull.toml --coefficients 5");
+  EXPECT_NE(kcs.out.find(",0,,,,,,0,wholly submerged\n"), std::string::npos);  // the bulb
+  EXPECT_EQ(run("mapping " + kHulls + "s175.hull.toml --coefficients 11").exit_code, 2);
+}
+
 TEST(HullTool, ShipThatIsUnstableIsRefusedWithTheGreatestKg) {
   const ChangedHull top_heavy("kg_m = 9.55", "kg_m = 12.0");
   expect_one_line_refusal(
