@@ -29,7 +29,7 @@ constexpr double kReciprocityLimit = 0.01;
 constexpr double kCorrectionLimit = 0.03;
 
 // Damping by the pressure on the hull against that by the radiated wave; 24 against 42; what extrapolation
-// changes. Damping counts as 1 % of the added mass at least, 44 as 1 % of 22 at the section's depth.
+// changes. Damping counts as 5 % of the force at least, 44 as 1 % of 22 at the section's depth.
 bool agrees(const PanelFlow& fine, const PanelFlow& coarse, double depth) {
   std::array<double, kNumSectionModes> size{};
   for (std::size_t k = 0; k < kNumSectionModes; ++k) {
@@ -40,7 +40,7 @@ bool agrees(const PanelFlow& fine, const PanelFlow& coarse, double depth) {
   for (std::size_t k = 0; k < kNumSectionModes; ++k) {
     const Complex force = extrapolated(fine.force[k][k], coarse.force[k][k]);
     const double radiated = std::pow(extrapolated(fine.h[k], coarse.h[k]), 2);
-    const double scale = std::max(radiated, 0.01 * size[k]);
+    const double scale = std::max(radiated, 0.05 * size[k]);
     good = good && std::abs(force.imag() - radiated) < kEnergyLimit * scale &&
            std::abs(force - fine.force[k][k]) < kCorrectionLimit * size[k];
   }
@@ -55,16 +55,34 @@ bool agrees(const PanelFlow& fine, const PanelFlow& coarse, double depth) {
 }  // namespace
 
 FrankSection::FrankSection(const SectionContour& contour, const FrankOptions& options)
-    : fine_(panel_ends(contour, options.num_panels),
-            options.removes_irregular_frequencies ? interior_points(contour) : std::vector<Complex>{}),
-      coarse_(coarsened(panel_ends(contour, options.num_panels)),
-              options.removes_irregular_frequencies ? interior_points(contour) : std::vector<Complex>{}) {
+    : FrankSection(
+          contour, options,
+          options.removes_irregular_frequencies ? interior_points(contour) : std::vector<Complex>{}) {}
+
+FrankSection::FrankSection(const SectionContour& contour, const FrankOptions& options,
+                           const std::vector<Complex>& inside)
+    : contour_(contour),
+      options_(options),
+      fine_(panel_ends(contour, options.num_panels), inside),
+      coarse_(coarsened(panel_ends(contour, options.num_panels)), inside) {
   for (const Offset& p : contour.points) {
     depth_ = std::max({depth_, p.y, -p.z});
   }
 }
 
 SectionFlow FrankSection::flow(double wave_number) const {
+  SectionFlow out = flow_of_these_panels(wave_number);
+  for (const int times : {2, 4}) {
+    if (out.is_converged || !options_.removes_irregular_frequencies) {
+      break;
+    }
+    const FrankSection finer(contour_, {.num_panels = times * options_.num_panels});
+    out = finer.flow_of_these_panels(wave_number);
+  }
+  return out;
+}
+
+SectionFlow FrankSection::flow_of_these_panels(double wave_number) const {
   QS_CHECK(wave_number > 0.0);
   const PanelFlow fine = fine_.flow(wave_number);
   const PanelFlow coarse = coarse_.flow(wave_number);
