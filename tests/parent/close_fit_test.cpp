@@ -84,21 +84,20 @@ TEST(CloseFit, MeetsTheStationsOfTheS175) {
   for (const ImmersedSection& section : *sections) {
     const SectionContour contour = section_contour(section);
     const CloseFit fit = close_fit(contour);
+    EXPECT_EQ(fit.a.size(), 10U) << section.x;
     if (section.x > 174.0) {  // the stem: 0.2 m broad, 9.4 m deep
       EXPECT_EQ(fit.reason, "thinner than a twentieth of its draught");
       continue;
     }
-    ASSERT_TRUE(fit.is_conventional) << section.x << ": " << fit.reason;
-    EXPECT_EQ(fit.a.size(), 10U) << section.x;
-    ++conventional;
-    // Found: 0.1 ... 0.3 % of the section's size, up to 0.9 % at the bulb (stations 9 to 10); area 0.1 %, 0.5
-    // %.
+    // Found: 0.1 ... 0.3 % of the section's size, area 0.1 %; bulbs 0.5 ... 0.9 %, 0.5 %.
     const bool has_bulb = section.x > 150.0;
+    EXPECT_EQ(fit.reason, has_bulb ? "contour not met" : "") << section.x;
     EXPECT_LT(fit.rms_error, (has_bulb ? 0.010 : 0.004) * error_scale(contour)) << section.x;
     EXPECT_LT(fit.largest_error, (has_bulb ? 0.030 : 0.015) * error_scale(contour)) << section.x;
     EXPECT_LT(std::abs(fit.area_error), has_bulb ? 6e-3 : 1e-3) << section.x;
+    conventional += fit.is_conventional ? 1 : 0;
   }
-  EXPECT_EQ(conventional, 23);
+  EXPECT_EQ(conventional, 20);
 }
 
 TEST(CloseFit, MoreCoefficientsFitBetter) {
@@ -200,6 +199,12 @@ TEST(CloseFit, AgreesWithFranksMethodOnTheS175WithinHalfAPercent) {
       expect(a.a44, b.a44, 1e-2 * roll, "a44");
       expect(a.h4, b.h4, 1e-2 * std::sqrt(roll), "h4");
       expect(a.a24, b.a24, 5e-3 * std::sqrt(sway * roll), "a24");
+      // Loads of an oblique wave, at speed of another wave number than the motion's.
+      const DiffractionFactors x = diffraction_factors(a, 1.3 * wave_number, 0.7);
+      const DiffractionFactors y = diffraction_factors(b, 1.3 * wave_number, 0.7);
+      expect(std::abs(x.heave - y.heave), 0.0, 5e-3, "diffraction in heave");
+      expect(std::abs(x.sway - y.sway), 0.0, 5e-3, "diffraction in sway");
+      expect(std::abs(x.roll_lever - y.roll_lever) / contour.draught(), 0.0, 5e-3, "diffraction in roll");
     }
   }
 }
