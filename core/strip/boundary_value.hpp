@@ -3,7 +3,7 @@
 // per metre of wave amplitude, times e^{-i k x cos mu}:
 //   X_3 = (i omega a33 + b33) heave v_3,  X_2 = (i omega a22 + b22) sway v_2,
 //   X_4 = {(i omega a24 + b24) sway + (i omega a22 + b22) lever} v_2 (about O).
-// At V = 0 these are the solved loads exactly, in every direction [SalvesenTuckFaltinsen1970]. At speed a and
+// At V = 0 these are the solved loads exactly, in every direction [STF1970]. At speed a and
 // b are those at the frequency of encounter, the equivalent motions those of the wave's own: what that leaves
 // out is measured against the parent program (tests/parent). Cost: about 1.5 us a section and direction and
 // 0.1 us a frequency.
