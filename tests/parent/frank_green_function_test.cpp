@@ -23,9 +23,9 @@ Complex integral_at(Complex w, double k) {
 
 TEST(WaveIntegral, IsTheExponentialIntegralOfTheTableGenerator) {
   // F = e^{Kw} {E1(Kw) + i pi}, by other series at other places (to 1e-13 of scipy.special.exp1).
-  for (double radius = 1e-6; radius < 2e3; radius *= 1.37) {
-    for (double angle = 0.5 * kPi; angle <= kPi; angle += kPi / 64.0) {
-      const Complex t = std::polar(radius, angle);
+  for (int ring = -60; ring < 34; ++ring) {  // |t| of 1e-6 ... 1700
+    for (int ray = 0; ray <= 32; ++ray) {
+      const Complex t = std::polar(std::exp(0.225 * ring), 0.5 * kPi * (1.0 + ray / 32.0));
       const Complex w(std::min(0.0, t.real()), t.imag());
       const Complex expected = scaled_exponential_integral(w) + Complex(0.0, kPi) * std::exp(w);
       // The power series' cancellation, e^8 of 2e-16, and where the fraction stops.
