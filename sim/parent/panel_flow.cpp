@@ -132,27 +132,32 @@ void PanelMesh::solve(bool is_even, Equations& equations, PanelFlow& out) const 
   const double flux = equations.wave_potential.back() - dot(equations.wave_normal, solution(of.size() + 1));
   const double reference = is_even && ends_.back().real() >= 0.0 ? -flux : flux;
   for (std::size_t k = 0; k < of.size(); ++k) {
-    double in_phase = -dot(equations.wave_normal, solution(k));
+    double in_phase = -2.0 * dot(equations.wave_normal, solution(k));
     for (std::size_t j = 0; j < n; ++j) {
-      in_phase += equations.wave_potential[j] * normals_[j][of[k]];
+      in_phase += 2.0 * equations.wave_potential[j] * normals_[j][of[k]];
     }
-    in_phase *= 2.0;
     const Complex amplitude = in_phase / feedback;
     out.h[of[k]] = std::copysign(std::abs(amplitude), in_phase * reference);
     std::vector<Complex>& phi = out.phi[of[k]];
     phi.resize(n);
     for (std::size_t j = 0; j < n; ++j) {
+      // to the time factor e^{+i omega t}: the conjugate
       phi[j] = std::conj(solution(k)[j] - Complex(0.0, 2.0 * kPi) * amplitude * of_wave[j]);
     }
     for (const SectionMode mode : of) {
-      Complex total = 0.0;
-      for (std::size_t j = 0; j < n; ++j) {
-        const double length = std::hypot(points_[j].ny_ds, points_[j].nz_ds);
-        total += phi[j] * (normals_[j][mode] * length);
-      }
-      out.force[mode][of[k]] = 2.0 * total;
+      out.force[mode][of[k]] = force(phi, mode);
     }
   }
+}
+
+// Of both halves of the section.
+Complex PanelMesh::force(const std::vector<Complex>& phi, SectionMode mode) const {
+  Complex total = 0.0;
+  for (std::size_t j = 0; j < phi.size(); ++j) {
+    const double length = std::hypot(points_[j].ny_ds, points_[j].nz_ds);
+    total += phi[j] * (2.0 * normals_[j][mode] * length);
+  }
+  return total;
 }
 
 PanelFlow PanelMesh::flow(double wave_number) const {

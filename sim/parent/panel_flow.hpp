@@ -50,6 +50,8 @@ class PanelMesh {
   [[nodiscard]] Equations equations(double wave_number, bool is_even,
                                     const std::vector<PanelInfluence>& direct,
                                     const std::vector<PanelInfluence>& mirrored) const;
+  [[nodiscard]] std::complex<double> force(const std::vector<std::complex<double>>& phi,
+                                           SectionMode mode) const;
   void solve(bool is_even, Equations& equations, PanelFlow& out) const;
 
   std::vector<std::complex<double>> ends_;
