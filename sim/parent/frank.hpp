@@ -4,12 +4,9 @@
 //
 // Range: sections that section_contour accepts, xi = K B/2 of 1e-6 ... 40.
 // Error with 56 panels, as shares of the complex force i omega a + b (tests/parent):
-// - Lewis forms, xi 0.02 ... 10, against an independent boundary-element solution: median 0.001 %, worst 0.13
-// %
+// - Lewis forms, xi 0.02 ... 10, against an independent boundary-element solution: median 0.001, worst 0.13 %
 // - circle in heave against Ursell's analytic figures: 0.01 %
-// - stations of S-175, KCS, DTMB 5512 (bulb, dome, skeg, transom) against 112 panels: 0.3 %, sway of a
-// transom
-//   0.6 %
+// - stations of S-175, KCS, DTMB 5512 (bulb, dome, skeg, transom), 112 panels: 0.3 %, sway of a transom 0.6 %
 // - rectangles at their first six irregular frequencies: 0.3 % of the water displaced
 // - conventional stations of the S-175 against the close-fit mapping: 0.5 % in sway and heave, 2 % in roll
 // `is_converged` is false where damping by pressure and by the radiated wave, or 24 and 42, differ by 1 %, or
