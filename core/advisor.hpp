@@ -120,6 +120,6 @@ class Advisor {
   std::array<ShiftedSea, kEnsembleMembers == 0 ? 0 : 1> shifted_{};
 };
 
-static_assert(sizeof(Advisor) <= kMostAdvisorBytes, "the advisor's memory is a promise");
+static_assert(sizeof(Advisor) + kMaxHullTableBytes <= kMostAdvisorBytes, "the advisor's memory is a promise");
 
 }  // namespace quickstrip

@@ -51,6 +51,9 @@ struct Host {
   static constexpr std::size_t kMaxCriteria = 32;
   // Of the ensemble of seas and ships within what is uncertain (core/advice/ensemble.hpp): a bit each.
   static constexpr std::size_t kEnsembleMembers = 16;
+  // The compiled hull table: 24 stations at 9 levels, 64 at 3 (core/strip/hull_table.hpp). What the advisor
+  // leaves of 8 MiB.
+  static constexpr std::size_t kMaxHullTableBytes = 800U << 10U;
 };
 
 /// A Cortex-M7 with external or large internal RAM, within 768 KiB: a grid of 36 headings x 8 speeds, a hull
@@ -77,6 +80,7 @@ struct M7 {
   static constexpr std::size_t kMaxSpectrumDirections = 36;
   static constexpr std::size_t kMaxCriteria = 12;
   static constexpr std::size_t kEnsembleMembers = 0;  // no room
+  static constexpr std::size_t kMaxHullTableBytes = 0;  // read in place: it lies in flash
 };
 
 #if defined(QUICKSTRIP_CAPACITY_M7)
@@ -124,6 +128,8 @@ inline constexpr std::size_t kMaxEmpiricalSpeeds = kKeepsEmpiricalResistance ? k
 // Legendre terms of the wave energy density within an interval of wave frequencies: a cubic.
 inline constexpr std::size_t kDensityTerms = 4;
 inline constexpr std::size_t kNumEncounterNodes = capacity::Profile::kNumEncounterNodes;
+// Memory beside the advisor's for a compiled hull table.
+inline constexpr std::size_t kMaxHullTableBytes = capacity::Profile::kMaxHullTableBytes;
 
 inline constexpr std::size_t kMaxWaveSystems = capacity::Profile::kMaxWaveSystems;
 inline constexpr std::size_t kMaxSpectrumFrequencies = capacity::Profile::kMaxSpectrumFrequencies;

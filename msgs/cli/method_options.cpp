@@ -16,7 +16,7 @@ void add_choice(CLI::App& command, const char* name, std::optional<std::string>&
 
 }  // namespace
 
-StripMethod MethodOptions::method(bool has_table) const {
+StripMethod MethodOptions::method() const {
   StripMethod method = paper ? kPaperMethod : StripMethod{};
   if (variant) {
     method.variant = *variant == "ordinary" ? StripVariant::kOrdinary : StripVariant::kModified;
@@ -28,7 +28,7 @@ StripMethod MethodOptions::method(bool has_table) const {
     method.loads = *loads == "haskind"   ? DiffractionLoads::kHaskind
                    : *loads == "classic" ? DiffractionLoads::kClassic
                                          : DiffractionLoads::kBoundaryValue;
-  } else if (has_table && !paper) {
+  } else if (!table.empty() && !paper) {
     method.loads = DiffractionLoads::kBoundaryValue;
   }
   if (surge) {
@@ -44,6 +44,11 @@ StripMethod MethodOptions::method(bool has_table) const {
 }
 
 void add_method_options(CLI::App& command, MethodOptions& options) {
+  command
+      .add_option("--table", options.table,
+                  "compiled table of the hull's own sections (quickstrip-hull compile); else Lewis forms")
+      ->type_name("FILE")
+      ->group("METHOD");
   add_choice(command, "--method", options.variant, {"ordinary", "modified"}, "strip theory");
   add_choice(command, "--end-terms", options.end_terms, {"on", "off"},
              "jump of added mass at the hull's ends");

@@ -18,15 +18,16 @@ struct MethodOptions {
   std::optional<std::string> surge;
   std::optional<std::string> low_encounter;
   std::optional<std::string> swell_up;
+  std::string table;  // a file; empty: Lewis forms
 
   /// --paper first, then what was named beside it; the defaults of StripMethod for the rest, but boundary
   /// values where a hull table was given.
-  [[nodiscard]] StripMethod method(bool has_table = false) const;
+  [[nodiscard]] StripMethod method() const;
 };
 
 /// --method ordinary|modified  --end-terms on|off  --loads haskind|classic|boundary-value  --surge
 /// full|inertia-only
-/// --low-encounter floor|paper  --swell-up onboard|off  --paper
+/// --low-encounter floor|paper  --swell-up onboard|off  --paper  --table FILE
 void add_method_options(CLI::App& command, MethodOptions& options);
 
 }  // namespace quickstrip

@@ -23,6 +23,7 @@ void add_parametric(CLI::App& app);
 void add_mapping(CLI::App& app);
 void add_tank(CLI::App& app);
 void add_section(CLI::App& app);
+void add_compile(CLI::App& app);
 void add_frequencies(CLI::App& app);
 
 /// Every subcommand, in the order of the help text.
@@ -43,6 +44,7 @@ inline void add_commands(CLI::App& app) {
   add_mapping(app);
   add_tank(app);
   add_section(app);
+  add_compile(app);
   add_frequencies(app);
 }
 

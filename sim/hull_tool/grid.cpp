@@ -16,6 +16,7 @@
 #include "sim/hull_tool/csv.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
 #include "sim/hull_tool/limits_option.hpp"
+#include "sim/hull_tool/loaded_table.hpp"
 #include "sim/hull_tool/quality_text.hpp"
 #include "sim/hull_tool/sea_options.hpp"
 
@@ -109,7 +110,9 @@ void run(const Options& options) {
   const auto ship = float_hull(options.file);
   const Criteria criteria = limits_of(options.limits, *ship).criteria;
   const auto advisor = std::make_unique<Advisor>();
-  const Status configured = advisor->configure(ship->hull, criteria, options.method.method());
+  const auto table = load_table(options.method.table, ship->hull);
+  const Status configured =
+      advisor->configure(ship->hull, criteria, options.method.method(), {}, view_of(table));
   if (!configured) {
     throw InputError{explain(configured.error(), *ship, {})};
   }

@@ -17,11 +17,15 @@ void add_strip_options(CLI::App& command, StripOptions& options) {
 StripShip load_strip_ship(const StripOptions& options) {
   StripShip ship;
   ship.floating = float_hull(options.file, options.loading);
+  ship.table = load_table(options.method.table, ship.floating->hull);
   ship.loaded = std::make_unique<LoadedHull>();
-  const Status status =
-      load(ship.floating->hull, ship.floating->loading, options.method.method(), *ship.loaded);
+  const Status status = load(ship.floating->hull, ship.floating->loading, options.method.method(),
+                             *ship.loaded, view_of(ship.table));
   if (!status) {
     throw InputError{explain(status.error(), *ship.floating, options.loading)};
+  }
+  if (ship.loaded->is_outside_table) {
+    say_outside(options.method.table, ship.table->view, ship.floating->loading);
   }
   if (options.roll_damping_ratio) {
     set_roll_damping_ratio(*ship.loaded, *options.roll_damping_ratio);

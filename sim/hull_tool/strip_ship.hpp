@@ -10,6 +10,7 @@
 #include "core/strip/loaded_hull.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
+#include "sim/hull_tool/loaded_table.hpp"
 
 namespace quickstrip::hull_tool {
 
@@ -22,14 +23,15 @@ struct StripOptions {
 
 struct StripShip {
   std::unique_ptr<FloatingHull> floating;
+  std::unique_ptr<LoadedTable> table;  // that `loaded` looks at; null: Lewis forms
   std::unique_ptr<LoadedHull> loaded;
   std::uint32_t quality = 0;  // of the hull and its loading
 };
 
-/// HULL, loading, METHOD and --roll-damping-ratio.
+/// HULL, loading, METHOD (--table among it) and --roll-damping-ratio.
 void add_strip_options(CLI::App& command, StripOptions& options);
 
-/// Throws InputError.
+/// Throws InputError. Draughts that the table does not cover: said on standard error, Lewis forms stand in.
 StripShip load_strip_ship(const StripOptions& options);
 
 }  // namespace quickstrip::hull_tool
