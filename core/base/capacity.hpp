@@ -79,7 +79,7 @@ struct M7 {
   static constexpr std::size_t kMaxSpectrumFrequencies = 24;
   static constexpr std::size_t kMaxSpectrumDirections = 36;
   static constexpr std::size_t kMaxCriteria = 12;
-  static constexpr std::size_t kEnsembleMembers = 0;  // no room
+  static constexpr std::size_t kEnsembleMembers = 0;    // no room
   static constexpr std::size_t kMaxHullTableBytes = 0;  // read in place: it lies in flash
 };
 
