@@ -14,6 +14,7 @@ void add_coefficients(CLI::App& app);
 void add_hydrodynamics(CLI::App& app);
 void add_motions(CLI::App& app);
 void add_roll_damping(CLI::App& app);
+void add_parent(CLI::App& app);
 void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
 void add_zones(CLI::App& app);
@@ -35,6 +36,7 @@ inline void add_commands(CLI::App& app) {
   add_hydrodynamics(app);
   add_motions(app);
   add_roll_damping(app);
+  add_parent(app);
   add_responses(app);
   add_grid(app);
   add_zones(app);

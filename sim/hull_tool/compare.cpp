@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
+#include "sim/hull_tool/parent_options.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
 #include "sim/hull_tool/transfer_comparison.hpp"
 #include "sim/hull_tool/transfer_file.hpp"
@@ -21,8 +23,22 @@ struct Options {
   std::string with;
   std::string point = "waterline";
   std::string format = "table";
+  ParentChoice parent;
   ComparisonWindow window;
 };
+
+std::vector<MotionTransfer> parent_motions(const ParentShip& parent,
+                                           const std::vector<TransferValue>& values) {
+  std::vector<ParentWave> waves;
+  for (const TransferValue& value : values) {
+    waves.push_back({value.omega, {wrap_pi(radians(value.mu_deg))}, from_knots(value.speed_kn)});
+  }
+  std::vector<MotionTransfer> out;
+  for (const ParentResponse& response : parent.solve(waves)) {
+    out.push_back(response.transfer);
+  }
+  return out;
+}
 
 std::string as_csv(const std::vector<CurveDeviation>& curves) {
   Csv csv("speed_kn,mu_deg,motion,frequencies,peak,scale,rms_percent,worst_percent,worst_omega_rad_s");
@@ -82,10 +98,17 @@ std::string as_table(const Options& options, const std::vector<CurveDeviation>& 
 
 void run(const Options& options) {
   const std::vector<TransferValue> values = read_transfer_file(options.with);
-  const StripShip ship = load_strip_ship(options.strip);
   const ComparisonPoint point =
       options.point == "G" ? ComparisonPoint::kGravity : ComparisonPoint::kWaterline;
-  const auto curves = compare_transfer(*ship.loaded, values, options.window, point);
+  std::vector<CurveDeviation> curves;
+  if (options.parent.is_given()) {
+    const std::unique_ptr<ParentShip> parent = load_parent(options.strip, options.parent);
+    curves = compare_transfer(
+        parent->hull(), values, options.window, point,
+        [&](const std::vector<TransferValue>& wanted) { return parent_motions(*parent, wanted); });
+  } else {
+    curves = compare_transfer(*load_strip_ship(options.strip).loaded, values, options.window, point);
+  }
   print_result(options.format == "csv" ? as_csv(curves) : as_table(options, curves));
 }
 
@@ -99,6 +122,8 @@ void add_compare(CLI::App& app) {
   command->add_option("--with", options->with, "CSV file of transfer functions, see below")
       ->required()
       ->type_name("FILE");
+  add_parent_choice(*command, "--parent", options->parent,
+                    "motions by the parent program, with these sections, instead of the program on board");
   command
       ->add_option("--at", options->point,
                    "what FILE's motions are those of: the point of the waterline at the x of G, or G")

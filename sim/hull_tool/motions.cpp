@@ -1,5 +1,4 @@
 // quickstrip-hull motions: transfer functions of the six motions at G.
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,16 +10,11 @@
 #include "msgs/convert/units.hpp"
 #include "sim/hull_tool/commands.hpp"
 #include "sim/hull_tool/csv.hpp"
-#include "sim/hull_tool/quality_text.hpp"
+#include "sim/hull_tool/motion_rows.hpp"
 #include "sim/hull_tool/strip_ship.hpp"
 
 namespace quickstrip::hull_tool {
 namespace {
-
-constexpr const char* kHeader =
-    "speed_kn,mu_deg,omega_rad_s,omega_e_rad_s,surge_amp,surge_phase_rad,sway_amp,sway_phase_rad,heave_amp,"
-    "heave_phase_rad,roll_amp,roll_phase_rad,pitch_amp,pitch_phase_rad,yaw_amp,yaw_phase_rad,"
-    "added_resistance_n_m2,quality";
 
 constexpr double kUnitWave = 1.0;  // m
 
@@ -45,7 +39,7 @@ std::uint32_t roll_quality(const Options& options, const LoadedHull& hull, const
 
 void run(const Options& options) {
   const StripShip ship = load_strip_ship(options.strip);
-  Csv csv(kHeader);
+  Csv csv(kMotionHeader);
   for (const double speed_kn : options.speeds_kn) {
     const double speed = from_knots(speed_kn);
     for (const double mu_deg : options.mus_deg) {
@@ -53,15 +47,11 @@ void run(const Options& options) {
         const EncounterAngle mu{wrap_pi(radians(mu_deg))};
         const RegularWaveRoll wave =
             regular_wave_roll(*ship.loaded, omega, mu, speed, options.wave_amplitude.value_or(kUnitWave));
-        const MotionTransfer& t = wave.transfer;
-        csv.add(speed_kn).add(mu_deg).add(omega).add(t.encounter_frequency);
-        for (const Complex& motion : t.motion) {
-          csv.add(std::abs(motion)).add(std::arg(motion));
-        }
-        csv.add(added_resistance(*ship.loaded, omega, mu, speed, t));
-        csv.add(quality_text(ship.quality | speed_quality(speed, ship.loaded->lpp, ship.loaded->gravity) |
-                             roll_quality(options, *ship.loaded, wave)));
-        csv.end_row();
+        add_motion_row({speed_kn, mu_deg, omega}, wave.transfer,
+                       added_resistance(*ship.loaded, omega, mu, speed, wave.transfer),
+                       ship.quality | speed_quality(speed, ship.loaded->lpp, ship.loaded->gravity) |
+                           roll_quality(options, *ship.loaded, wave),
+                       csv);
       }
     }
   }

@@ -13,9 +13,17 @@
 namespace quickstrip::hull_tool {
 namespace {
 
-double amplitude_at(const LoadedHull& hull, const TransferValue& value, ComparisonPoint point) {
-  const EncounterAngle mu{wrap_pi(radians(value.mu_deg))};
-  const MotionTransfer transfer = motion_transfer(hull, value.omega, mu, from_knots(value.speed_kn));
+std::vector<MotionTransfer> own_motions(const LoadedHull& hull, const std::vector<TransferValue>& values) {
+  std::vector<MotionTransfer> out;
+  for (const TransferValue& value : values) {
+    const EncounterAngle mu{wrap_pi(radians(value.mu_deg))};
+    out.push_back(motion_transfer(hull, value.omega, mu, from_knots(value.speed_kn)));
+  }
+  return out;
+}
+
+double amplitude_of(const LoadedHull& hull, const TransferValue& value, const MotionTransfer& transfer,
+                    ComparisonPoint point) {
   if (point == ComparisonPoint::kGravity || value.motion > 2) {
     return std::abs(transfer.motion[value.motion]);
   }
@@ -58,7 +66,8 @@ void set_scales(std::vector<CurveDeviation>& curves) {
 }  // namespace
 
 std::vector<CurveDeviation> compare_transfer(const LoadedHull& hull, const std::vector<TransferValue>& values,
-                                             const ComparisonWindow& window, ComparisonPoint point) {
+                                             const ComparisonWindow& window, ComparisonPoint point,
+                                             const MotionSolver& solve) {
   std::vector<TransferValue> counted;
   std::copy_if(values.begin(), values.end(), std::back_inserter(counted),
                [&](const TransferValue& v) { return is_in_window(hull, v, window); });
@@ -69,14 +78,17 @@ std::vector<CurveDeviation> compare_transfer(const LoadedHull& hull, const std::
   }
   set_scales(curves);
   std::erase_if(curves, [](const CurveDeviation& c) { return !(c.scale > 0.0); });
-  for (const TransferValue& value : counted) {
+  const std::vector<MotionTransfer> motions = solve ? solve(counted) : own_motions(hull, counted);
+  for (std::size_t n = 0; n < counted.size(); ++n) {
+    const TransferValue& value = counted[n];
     const auto at = std::find_if(curves.begin(), curves.end(), [&](const CurveDeviation& c) {
       return c.speed_kn == value.speed_kn && c.mu_deg == value.mu_deg && c.motion == value.motion;
     });
     if (at == curves.end()) {
       continue;
     }
-    const double percent = 100.0 * (amplitude_at(hull, value, point) - value.amplitude) / at->scale;
+    const double percent =
+        100.0 * (amplitude_of(hull, value, motions[n], point) - value.amplitude) / at->scale;
     at->rms_percent += percent * percent;
     ++at->num_frequencies;
     if (std::fabs(percent) >= std::fabs(at->worst_percent)) {

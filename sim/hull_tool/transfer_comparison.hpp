@@ -8,9 +8,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/strip/loaded_hull.hpp"
+#include "core/strip/motion_transfer.hpp"
 #include "sim/hull_tool/transfer_file.hpp"
 
 namespace quickstrip::hull_tool {
@@ -40,9 +42,14 @@ struct CurveDeviation {
   double worst_omega = 0.0;
 };
 
+/// Motions at G in the waves of these values, one each.
+using MotionSolver = std::function<std::vector<MotionTransfer>(const std::vector<TransferValue>&)>;
+
 /// By speed, direction and motion, in the order in which they first come. A curve without a frequency in the
-/// window, or whose motion is nil in every direction, is left out.
+/// window, or whose motion is nil in every direction, is left out. `solve`: motions of another program for
+/// this hull; none: the hull's own.
 std::vector<CurveDeviation> compare_transfer(const LoadedHull& hull, const std::vector<TransferValue>& values,
-                                             const ComparisonWindow& window, ComparisonPoint point);
+                                             const ComparisonWindow& window, ComparisonPoint point,
+                                             const MotionSolver& solve = {});
 
 }  // namespace quickstrip::hull_tool

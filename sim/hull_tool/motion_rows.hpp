@@ -1,0 +1,26 @@
+// The rows of `motions` and `parent`: one wave each.
+#pragma once
+
+#include <cstdint>
+
+#include "core/strip/motion_transfer.hpp"
+#include "sim/hull_tool/csv.hpp"
+
+namespace quickstrip::hull_tool {
+
+inline constexpr const char* kMotionHeader =
+    "speed_kn,mu_deg,omega_rad_s,omega_e_rad_s,surge_amp,surge_phase_rad,sway_amp,sway_phase_rad,heave_amp,"
+    "heave_phase_rad,roll_amp,roll_phase_rad,pitch_amp,pitch_phase_rad,yaw_amp,yaw_phase_rad,"
+    "added_resistance_n_m2,quality";
+
+/// A wave as the command line gives it.
+struct GivenWave {
+  double speed_kn = 0.0;
+  double mu_deg = 0.0;
+  double omega = 0.0;  // rad/s
+};
+
+void add_motion_row(const GivenWave& wave, const MotionTransfer& transfer, double added_resistance,
+                    std::uint32_t quality, Csv& csv);
+
+}  // namespace quickstrip::hull_tool
