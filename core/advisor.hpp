@@ -1,4 +1,4 @@
-// The advisor: configure once, then one step a cycle. Owns all of its memory (6.7 MB: make it static, never
+// The advisor: configure once, then one step a cycle. Owns all of its memory (7.6 MB: make it static, never
 // on the stack); allocates nothing, knows no clock, reads no file.
 //
 //   static Advisor advisor;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
 #include "msgs/convert/limits_difference.hpp"
+#include "msgs/files/hull_table_file.hpp"
 #include "msgs/files/printable.hpp"
 #include "msgs/files/ship_files.hpp"
 
@@ -71,6 +73,27 @@ void add_options(CLI::App& app, Options& options) {
   add_method_options(app, options.method);
 }
 
+// The hull table is looked at where it is read: memory for the largest, whole before the first cycle.
+std::array<std::uint32_t, kMaxHullTableBytes / sizeof(std::uint32_t)> table_words;
+std::optional<HullTable> hull_table;
+
+std::string levels(std::size_t count) {
+  return fmt::format("{} level{}", count, count == 1 ? "" : "s");
+}
+
+/// Says which one it is, for the journal.
+const HullTable* load_table(const std::string& file, const Hull& hull) {
+  if (file.empty()) {
+    return nullptr;
+  }
+  require(read_hull_table(file, hull, table_words, hull_table));
+  fmt::print(stderr, "{}: hull table {:016x}, {} sections, {} from {:g} to {:g} m, {} flagged\n",
+             printable(file, 1000), hull_table->checksum(), name_of(hull_table->sections()),
+             levels(hull_table->num_levels()), hull_table->level(0),
+             hull_table->level(hull_table->num_levels() - 1), hull_table->num_flagged());
+  return &*hull_table;
+}
+
 std::int64_t wall_utime() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::system_clock::now().time_since_epoch())
@@ -102,6 +125,7 @@ void run(Options& options) {
   require(read_ship_files(options.hull, options.limits, *files));
   options.session.profile = files->profile;
   options.session.version = Name(QUICKSTRIP_VERSION);
+  options.session.table = load_table(options.method.table, files->hull);
   const auto session = std::make_unique<Session>();
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
     throw InputError{refused_by_core(options.hull, status.error())};

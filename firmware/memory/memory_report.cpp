@@ -1,5 +1,6 @@
 // Prints the bytes of everything that the advisor holds, in the profile of capacities that it is built with,
-// and those of the section table, which is constant and lies in flash.
+// of a compiled hull table beside it (0: read where it lies), and of the section table, which is constant
+// and lies in flash.
 #include <algorithm>
 #include <cstdio>
 
@@ -31,6 +32,7 @@ int main() {
   print("    of a cycle", sizeof(GridWorkspace));
   print("    of a change of loading", sizeof(TransferWorkspace));
   print("  StepOutput", sizeof(StepOutput));
+  print("Hull table, where one is loaded: at most", kMaxHullTableBytes);
   print("Section table, constant", section_table_bytes());
   return 0;
 }

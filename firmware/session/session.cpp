@@ -1,6 +1,7 @@
 #include "firmware/session/session.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/strip/section_table.hpp"
 #include "msgs/convert/advice_message.hpp"
@@ -12,6 +13,25 @@
 #include "msgs/convert/text.hpp"
 
 namespace quickstrip {
+namespace {
+
+// A number that tells two runs apart by their hull table, too; without one it stays as it is.
+std::uint64_t with_table(std::uint64_t number, const HullTable* table) {
+  if (table == nullptr) {
+    return number;
+  }
+  Fnv1a fnv;
+  fnv.add(std::bit_cast<double>(number));
+  fnv.add(std::bit_cast<double>(table->checksum()));
+  return fnv.value();
+}
+
+}  // namespace
+
+void Session::set_digest_of_hull(const Loading& loading) {
+  const auto of_hull = static_cast<std::uint64_t>(hull_digest(*hull_, loading));
+  hull_digest_ = static_cast<std::int64_t>(with_table(of_hull, options_.table));
+}
 
 Status Session::configure(const Hull& hull, const Criteria& criteria, const SessionOptions& options) {
   hull_ = &hull;
@@ -26,8 +46,8 @@ Status Session::configure(const Hull& hull, const Criteria& criteria, const Sess
   is_comparison_due_ = false;
   uncertainty_ = StatedUncertainty{};
   output_ = nullptr;
-  hull_digest_ = hull_digest(hull, hull.loading);
-  table_checksum_ = static_cast<std::int64_t>(section_table_checksum());
+  set_digest_of_hull(hull.loading);
+  table_checksum_ = static_cast<std::int64_t>(with_table(section_table_checksum(), options.table));
   cycle_ = 0;
   response_seq_ = 0;
   limits_sent_ = 0;
@@ -40,7 +60,7 @@ Status Session::configure(const Hull& hull, const Criteria& criteria, const Sess
   limits_.source_id = options.source_id;
   limits_change_ = logbook_t{};
   is_limits_change_due_ = false;
-  return advisor_.configure(hull, criteria, options.method);
+  return advisor_.configure(hull, criteria, options.method, {}, options.table);
 }
 
 Conversion Session::accept(const sea_state_t& message, std::int64_t now, InputUse use) {
@@ -170,7 +190,7 @@ void Session::rebuild() {
   if (!status) {
     return;  // the next cycles say that the loading is implausible
   }
-  hull_digest_ = hull_digest(*hull_, inputs_.present_loading());
+  set_digest_of_hull(inputs_.present_loading());
 }
 
 }  // namespace quickstrip

@@ -22,6 +22,7 @@
 #include "core/advisor.hpp"
 #include "core/base/name.hpp"
 #include "core/base/static_vector.hpp"
+#include "core/strip/hull_table.hpp"
 #include "core/strip/method.hpp"
 #include "firmware/session/alerts.hpp"
 #include "firmware/session/inputs.hpp"
@@ -46,6 +47,7 @@ namespace quickstrip {
 struct SessionOptions {
   StaleAfter stale_after;
   StripMethod method;
+  const HullTable* table = nullptr;  // compiled for the hull; must outlive the session; null: Lewis forms
   double cycle_period_s = 1.0;
   std::size_t ensemble_per_cycle = 0;  // members computed each cycle, 0 ... kEnsembleMembers
   std::int16_t source_id = 1;
@@ -110,10 +112,11 @@ class Session {
   /// What the core gave in the last cycle; nullptr before the first.
   [[nodiscard]] const StepOutput* output() const { return output_; }
   [[nodiscard]] const Inputs& inputs() const { return inputs_; }
-  /// Of the hull and the loading in force, as advice carries it.
+  /// Of the hull, the loading in force and the hull table, as advice carries it.
   [[nodiscard]] std::int64_t digest_of_hull() const { return hull_digest_; }
 
  private:
+  void set_digest_of_hull(const Loading& loading);
   Conversion count_measured(Input input, const Conversion& conversion, std::int64_t utime, std::int64_t now);
   Fitness judge(std::int64_t now, Input& sea_in_force) const;
   const StepOutput& step(std::int64_t now, const Fitness& fitness, Input sea_in_force);

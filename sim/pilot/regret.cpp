@@ -80,11 +80,12 @@ double removed_share(const Tally& hold, const Tally& follow, const Tally& all_kn
   return possible > 0.0 ? (hold.exceeded_h - follow.exceeded_h) / possible : 1.0;
 }
 
-Status Sailing::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method) {
-  if (Status status = truth_->configure(hull, criteria, method, {0.0, 0.0}); !status) {
+Status Sailing::configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
+                          const HullTable* table) {
+  if (Status status = truth_->configure(hull, criteria, method, {0.0, 0.0}, table); !status) {
     return status;
   }
-  return advisor_->configure(hull, criteria, method);
+  return advisor_->configure(hull, criteria, method, {}, table);
 }
 
 Status Sailing::find_truth(const Storm& storm) {

@@ -28,7 +28,7 @@ std::string first_of_fields(const advice_t& a, const advice_t& b) {
     return "other limits (--limits)";
   }
   if (a.hull_digest != b.hull_digest) {
-    return "another hull file or loading (--hull)";
+    return "another hull file, loading or hull table (--hull, --table)";
   }
   if (std::string inputs = first_of_inputs(a, b); !inputs.empty()) {
     return inputs;

@@ -11,6 +11,7 @@
 #include "msgs/cli/method_options.hpp"
 #include "msgs/convert/units.hpp"
 #include "msgs/files/ship_files.hpp"
+#include "sim/hull_tool/loaded_table.hpp"
 #include "sim/pilot/regret.hpp"
 #include "sim/sea_files/utc_time.hpp"
 #include "sim/sim_tool/commands.hpp"
@@ -120,8 +121,10 @@ void run(Options options) {
   require(read_ship_files(options.hull, options.limits, *files));
   const auto series = std::make_unique<SeaSeries>();
   const std::vector<pilot::Storm> storms = storms_of(options, *series);
+  const auto table = hull_tool::load_table(options.method.table, files->hull);
   pilot::Sailing sailing;
-  if (const Status status = sailing.configure(files->hull, files->criteria, options.method.method());
+  if (const Status status =
+          sailing.configure(files->hull, files->criteria, options.method.method(), hull_tool::view_of(table));
       !status) {
     throw InputError{refused_by_core(options.hull, status.error())};
   }

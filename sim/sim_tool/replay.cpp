@@ -14,6 +14,7 @@
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/files/ship_files.hpp"
+#include "sim/hull_tool/loaded_table.hpp"
 #include "sim/replay/advice_table.hpp"
 #include "sim/replay/publish.hpp"
 #include "sim/replay/recorded_run.hpp"
@@ -183,6 +184,8 @@ void run(Options options) {
   require(read_ship_files(options.hull, options.limits, *files));
   options.session.profile = files->profile;
   options.session.version = Name(QUICKSTRIP_VERSION);
+  const auto hull_table = hull_tool::load_table(options.method.table, files->hull);
+  options.session.table = hull_tool::view_of(hull_table);
   const auto session = std::make_unique<Session>();
   const auto configure = [&] { return session->configure(files->hull, files->criteria, options.session); };
   if (const Status status = configure(); !status) {
