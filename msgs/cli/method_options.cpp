@@ -53,7 +53,7 @@ void add_method_options(CLI::App& command, MethodOptions& options) {
   add_choice(command, "--end-terms", options.end_terms, {"on", "off"},
              "jump of added mass at the hull's ends");
   add_choice(command, "--loads", options.loads, {"haskind", "classic", "boundary-value"},
-             "diffraction loads; with a hull table default boundary-value, which needs one");
+             "diffraction loads; boundary-value needs a hull table and is the default with one");
   add_choice(command, "--surge", options.surge, {"full", "inertia-only"}, "surge coefficients");
   add_choice(command, "--low-encounter", options.low_encounter, {"floor", "paper"},
              "rule near zero encounter frequency");
