@@ -22,6 +22,11 @@ void add_parent_choice(CLI::App& command, const std::string& name, ParentChoice&
 }
 
 std::unique_ptr<ParentShip> load_parent(const StripOptions& options, const ParentChoice& choice) {
+  return load_parent(options, choice, options.method.method());
+}
+
+std::unique_ptr<ParentShip> load_parent(const StripOptions& options, const ParentChoice& choice,
+                                        const StripMethod& method) {
   const std::unique_ptr<FloatingHull> floating = float_hull(options.file, options.loading);
   ParentOptions parent_options;
   parent_options.sections = choice.sections == "frank"   ? SectionMethod::kFrank
@@ -30,8 +35,7 @@ std::unique_ptr<ParentShip> load_parent(const StripOptions& options, const Paren
   parent_options.diffracts_at_encounter = choice.potentials == "encounter";
   parent_options.num_threads = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
   try {
-    auto parent = std::make_unique<ParentShip>(floating->hull, floating->loading, options.method.method(),
-                                               parent_options);
+    auto parent = std::make_unique<ParentShip>(floating->hull, floating->loading, method, parent_options);
     if (options.roll_damping_ratio) {
       parent->set_roll_damping_ratio(*options.roll_damping_ratio);
     }

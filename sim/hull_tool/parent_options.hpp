@@ -22,5 +22,8 @@ void add_parent_choice(CLI::App& command, const std::string& name, ParentChoice&
 
 /// Throws InputError.
 std::unique_ptr<ParentShip> load_parent(const StripOptions& options, const ParentChoice& choice);
+/// With another method than the options'.
+std::unique_ptr<ParentShip> load_parent(const StripOptions& options, const ParentChoice& choice,
+                                        const StripMethod& method);
 
 }  // namespace quickstrip::hull_tool
