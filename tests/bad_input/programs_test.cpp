@@ -296,6 +296,16 @@ TEST_F(Programs, ComparisonsWithoutAMeaningAreRefused) {
   static_cast<void>(folder_.file("empty.csv", "fn,quantity,abscissa,measured\n"));
   expect_bad(tank + "empty.csv", {"empty.csv: holds no figure"});
   expect_wrong_use(tank + "tank.csv --format pdf", {"--format"});
+  static_cast<void>(folder_.file("box.csv", "y_m,z_m\n0,-1\n1,-1\n1,0\n"));
+  static_cast<void>(folder_.file("line.csv", "y_m,z_m\n0,-1\n1,0\n"));
+  static_cast<void>(folder_.file("bulb.csv", "y_m,z_m\n0,-2\n1,-1.5\n0,-1\n"));
+  static_cast<void>(folder_.file("loads.csv", "section,quantity,abscissa,measured\nbox,f3,0.5,0.6\n"));
+  expect_bad(kHull + " section none.csv --with loads.csv", {"none.csv: cannot be read"});
+  expect_bad(kHull + " section line.csv --with loads.csv", {"line.csv: ", "point"});
+  expect_bad(kHull + " section bulb.csv --with loads.csv", {"bulb.csv: ends under water"});
+  expect_bad(kHull + " section box.csv --with loads.csv --model hull", {"section = hull", "one of box"});
+  expect_bad(kHull + " section box.csv --with box.csv", {"box.csv: line 1", "quantity, abscissa, measured"});
+  expect_wrong_use(kHull + " section box.csv --with loads.csv --sections ursell", {"--sections"});
 }
 
 TEST_F(Programs, ATransformedShipIsOneThatCheckPasses) {
