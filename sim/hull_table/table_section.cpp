@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -42,10 +43,14 @@ Method lewis_method(const ImmersedSection& section) {
   return {HullSections::kLewis, [mapped](double k) { return mapped->flow(k); }};
 }
 
-// A bulb that touches the waterline without breadth there: neither submerged nor surface-piercing.
-bool touches_waterline(const ImmersedSection& section) {
-  const Offset& top = section.contour.back();
-  return top.y == 0.0 && top.z == 0.0;
+// A bulb that touches the waterline without breadth there, or hull above a bulb, joined on the centre plane
+// alone: no single contour.
+bool is_pinched(const ImmersedSection& section) {
+  const auto& contour = section.contour;
+  const Offset& top = contour.back();
+  const auto on_centre_plane = [](const Offset& point) { return point.y == 0.0; };
+  return (top.y == 0.0 && top.z == 0.0) ||
+         std::any_of(contour.begin() + 1, contour.end() - 1, on_centre_plane);
 }
 
 HullSections in_table(SectionMethod method) {
@@ -55,7 +60,7 @@ HullSections in_table(SectionMethod method) {
 }
 
 Method method_for(const ImmersedSection& section, HullSections wanted) {
-  if (wanted == HullSections::kLewis || touches_waterline(section)) {
+  if (wanted == HullSections::kLewis || is_pinched(section)) {
     return lewis_method(section);
   }
   const TrueSection own(section_contour(section),

@@ -36,7 +36,8 @@ struct TableSection {
 /// above the deck.
 std::optional<ImmersedSection> cut_station(const Hull& hull, std::size_t station, double level);
 
-/// By the method; a contour that has no breadth where it reaches the waterline takes its Lewis form. Throws
+/// By the method; a contour that has no breadth where it reaches the waterline, or somewhere below it, takes
+/// its Lewis form. Throws
 /// std::invalid_argument where there is no contour (section_contour.hpp).
 TableSection solve_section(const ImmersedSection& section, HullSections method, const TableNodes& nodes);
 
