@@ -11,6 +11,7 @@
 
 #include "core/advice/nordforsk.hpp"
 #include "core/advisor.hpp"
+#include "sim/hull_table/compile_hull_table.hpp"
 #include "tests/bench/machine_peak.hpp"
 #include "tests/bench/sweep_work.hpp"
 #include "tests/support/hulls.hpp"
@@ -188,6 +189,27 @@ BENCHMARK(StepWithEnsemble)
     ->Args({0, 16})
     ->Unit(benchmark::kMillisecond)
     ->MinTime(2);
+
+// The cycle by the hull's own sections out of a compiled table, as a ratio to the cycle by Lewis forms; turn
+// about in one run. Argument: wave systems (0: measured).
+void StepWithHullTable(benchmark::State& state) {
+  const auto at = make_case(static_cast<std::size_t>(state.range(0)));
+  const CompiledHullTable compiled =
+      compile_hull_table(at->hull, HullSections::kLewis, {{9.0, 9.5, 10.0}, {}});
+  const Result<HullTable> table = HullTable::view(compiled.words);
+  StripMethod by_table;
+  by_table.loads = DiffractionLoads::kBoundaryValue;
+  const Criteria criteria = *nordforsk_merchant(at->hull);
+  const auto one = std::make_unique<Advisor>();
+  const auto other = std::make_unique<Advisor>();
+  if (!one->configure(at->hull, criteria, StripMethod{}) || !table ||
+      !other->configure(at->hull, criteria, by_table, {}, &*table)) {
+    state.SkipWithError("the hull or its table is refused");
+    return;
+  }
+  turn_about(state, {*one, at->inputs}, {*other, at->inputs});
+}
+BENCHMARK(StepWithHullTable)->Arg(3)->Arg(0)->Unit(benchmark::kMillisecond)->MinTime(2);
 
 void StepBySpeeds(benchmark::State& state) {
   const auto at = make_case(3);

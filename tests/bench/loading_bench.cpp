@@ -7,6 +7,7 @@
 
 #include "core/strip/loaded_hull.hpp"
 #include "core/strip/transfer_functions.hpp"
+#include "sim/hull_table/compile_hull_table.hpp"
 #include "tests/support/hulls.hpp"
 
 namespace quickstrip {
@@ -27,13 +28,14 @@ Hull wigley_ship(std::size_t stations) {
   return test::scaled(test::wigley_hull(1, stations), 175.0 / 3.0);
 }
 
-void load_and_solve(benchmark::State& state, const Hull& hull) {
+void load_and_solve(benchmark::State& state, const Hull& hull, const StripMethod& method = {},
+                    const HullTable* table = nullptr) {
   const auto loaded = std::make_unique<LoadedHull>();
   const auto transfer = std::make_unique<TransferFunctions>();
   const auto work = std::make_unique<TransferWorkspace>();
   const auto speeds = contract_speeds();
   for (auto _ : state) {
-    if (!load(hull, hull.loading, StripMethod{}, *loaded) ||
+    if (!load(hull, hull.loading, method, *loaded, table) ||
         !solve_transfer_functions(*loaded, speeds, *work, *transfer)) {
       state.SkipWithError("the hull is refused");
       return;
@@ -57,6 +59,18 @@ void ChangeLoadingOfTheS175(benchmark::State& state) {
   load_and_solve(state, test::s175());
 }
 BENCHMARK(ChangeLoadingOfTheS175)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// The same by the hull's own sections and loads by boundary values.
+void ChangeLoadingWithHullTable(benchmark::State& state) {
+  const Hull hull = test::s175();
+  const CompiledHullTable compiled =
+      compile_hull_table(hull, HullSections::kLewis, {{9.25, 9.75, 10.25}, {}});
+  const Result<HullTable> table = HullTable::view(compiled.words);
+  StripMethod method;
+  method.loads = DiffractionLoads::kBoundaryValue;
+  load_and_solve(state, hull, method, &*table);
+}
+BENCHMARK(ChangeLoadingWithHullTable)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void ChangeLoadingByStations(benchmark::State& state) {
   load_and_solve(state, wigley_ship(static_cast<std::size_t>(state.range(0))));

@@ -13,6 +13,7 @@ std::span<const Target> targets() {
       Target{"sea", run_sea, sea_seeds, 1500},
       Target{"voyage", run_voyage, voyage_seeds, 3000},
       Target{"log", run_log, log_seeds, 1500},
+      Target{"hull_table", run_hull_table, hull_table_seeds, 300},
       Target{"sea_state", run_sea_state, no_seeds, 200},
       Target{"wave_spectrum", run_wave_spectrum, no_seeds, 200},
       Target{"sea_forecast", run_sea_forecast, no_seeds, 200},

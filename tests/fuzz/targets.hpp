@@ -41,6 +41,8 @@ std::vector<Bytes> limits_seeds();
 std::vector<Bytes> sea_seeds();
 std::vector<Bytes> voyage_seeds();
 std::vector<Bytes> log_seeds();
+void run_hull_table(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> hull_table_seeds();
 
 // Messages: the bytes are laid over a good message behind its fingerprint, and also taken as they are.
 void run_sea_state(std::span<const std::uint8_t> bytes);

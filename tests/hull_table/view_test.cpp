@@ -102,6 +102,7 @@ TEST(HullTableView, RefusesWhatNoCompilerShouldWrite) {
   const std::vector<Edit> edits = {
       {"a NaN", waves + 400, number(std::numeric_limits<float>::quiet_NaN()), Error::kHullTableCorrupt},
       {"an infinity", waves + 400, number(std::numeric_limits<float>::infinity()), Error::kHullTableCorrupt},
+      {"a number that no section has", waves + 400, number(1e10F), Error::kHullTableCorrupt},
       {"levels that fall", levels + 1, number(8.0F), Error::kHullTableCorrupt},
       {"levels alike", levels + 1, number(9.0F), Error::kHullTableCorrupt},
       {"waves out of order", waves + 5, number(1e-6F), Error::kHullTableCorrupt},
