@@ -157,12 +157,20 @@ void add_block(const std::optional<TableSection>& section, Writer& writer) {
   }
 }
 
-void count(const TableSections& sections, HullSections method, CompiledHullTable& out) {
-  for (const std::optional<TableSection>& section : sections) {
-    if (section) {
-      ++out.num_sections;
-      out.num_flagged += static_cast<std::size_t>(section->is_flagged);
-      out.num_other_method += static_cast<std::size_t>(section->method != method);
+void count(const Hull& hull, const TableSections& sections, HullSections method, CompiledHullTable& out) {
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const std::optional<TableSection>& section = sections[i];
+    if (!section) {
+      continue;
+    }
+    ++out.num_sections;
+    out.num_flagged += static_cast<std::size_t>(section->is_flagged);
+    if (section->method != method) {
+      ++out.num_other_method;
+      const double x = hull.stations[i / out.levels.size()].x;
+      if (out.other_method_x.empty() || out.other_method_x.back() != x) {
+        out.other_method_x.push_back(x);
+      }
     }
   }
 }
@@ -195,7 +203,7 @@ CompiledHullTable compile_hull_table(const Hull& hull, HullSections sections,
   out.levels = table_levels(hull, loadings);
   check_size(hull, out.levels);
   const TableSections solved = solve_all(hull, sections, out.levels, progress);
-  count(solved, sections, out);
+  count(hull, solved, sections, out);
   out.provenance = provenance(hull, sections, out);
   out.words.reserve(hull_table_words(hull.stations.size(), out.levels.size()));
   out.words.resize(kHullTableHeaderWords);

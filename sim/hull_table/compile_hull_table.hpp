@@ -19,9 +19,10 @@ struct CompiledHullTable {
   std::vector<std::uint32_t> words;
   std::string provenance;
   std::vector<double> levels;
-  std::size_t num_sections = 0;      // in the water
-  std::size_t num_flagged = 0;       // whose own check of accuracy failed at a node
-  std::size_t num_other_method = 0;  // by another method than asked for, which did not fit
+  std::vector<double> other_method_x;  // of stations that have such sections [m]
+  std::size_t num_sections = 0;        // in the water
+  std::size_t num_flagged = 0;         // whose own check of accuracy failed at a node
+  std::size_t num_other_method = 0;    // by another method than asked for, which did not fit
 };
 
 /// `progress`: called from one thread with the share done, 0 ... 1. Throws std::invalid_argument in one

@@ -11,8 +11,8 @@
 namespace quickstrip {
 namespace {
 
-constexpr double kOneLevel = 1e-3;   // of a level: nearer ones are one (as HullTable::covers)
-constexpr double kFarthest = 0.125;  // of the draught: between a lone draught and what trim adds
+constexpr double kOneLevel = 1e-3;  // of a level: nearer ones are one (as HullTable::covers)
+constexpr double kFarthest = 0.05;  // of the draught: between a lone draught and what trim adds
 
 void check_numbers(const char* what, const std::vector<double>& values, bool positive) {
   for (const double value : values) {

@@ -20,8 +20,8 @@ struct CompiledLoadings {
 CompiledLoadings own_loadings(const Hull& hull);
 
 /// Increasing. The draughts, and where a station's waterline lies beyond them by trim, levels as far apart
-/// as the draughts at most. Throws std::invalid_argument in one sentence: none, not finite, not positive,
-/// more than kMaxHullTableLevels.
+/// as the draughts at most (a twentieth of a lone draught). Throws std::invalid_argument in one sentence:
+/// none, not finite, not positive, more than kMaxHullTableLevels.
 std::vector<double> table_levels(const Hull& hull, const CompiledLoadings& loadings);
 
 }  // namespace quickstrip

@@ -23,6 +23,8 @@
 namespace quickstrip::hull_tool {
 namespace {
 
+constexpr double kFineSpacing = 0.06;  // of the draught (tests/hull_table/levels_test.cpp)
+
 struct Options {
   std::string file;
   std::string sections = "close-fit";
@@ -85,6 +87,32 @@ void tell(const Options& options, const Hull& hull, const CompiledHullTable& tab
       table.num_other_method, 4 * table.words.size(), HullTable::view(table.words)->checksum()));
 }
 
+// What the user may want to do otherwise.
+void tell_limits(const Options& options, const CompiledHullTable& table) {
+  if (table.num_flagged > 0) {
+    fmt::print(stderr, "note: {} of {} sections failed their own check of accuracy at a frequency\n",
+               table.num_flagged, table.num_sections);
+  }
+  if (table.num_other_method > 0) {
+    fmt::print(stderr, "note: not {} but another method at x_m = {:g}\n", options.sections,
+               fmt::join(table.other_method_x, " "));
+  }
+  if (table.levels.size() == 1) {
+    fmt::print(stderr, "note: one level: at any other draught Lewis forms stand in\n");
+  }
+  for (std::size_t i = 1; i < table.levels.size(); ++i) {
+    const double step = table.levels[i] - table.levels[i - 1];
+    if (step > kFineSpacing * table.levels[i]) {
+      fmt::print(stderr,
+                 "note: levels {:g} and {:g} m: farther apart than {:g} % of the draught, between them "
+                 "interpolation "
+                 "can err by more than 0.5 %\n",
+                 table.levels[i - 1], table.levels[i], 100.0 * kFineSpacing);
+      return;
+    }
+  }
+}
+
 void run(const Options& options) {
   const auto ship = std::make_unique<Hull>();
   require(read_hull_file(options.file, *ship));
@@ -92,10 +120,7 @@ void run(const Options& options) {
   const CompiledHullTable table = compile_with_progress(options, *ship);
   require(write_hull_table(table.words, options.out));
   tell(options, *ship, table);
-  if (table.num_flagged > 0) {
-    fmt::print(stderr, "note: {} of {} sections failed their own check of accuracy at a frequency\n",
-               table.num_flagged, table.num_sections);
-  }
+  tell_limits(options, table);
 }
 
 }  // namespace

@@ -57,6 +57,13 @@ TEST(MethodOptions, PaperIsOrdinaryEndTermsClassicPaperAndTakesAChoiceBesideIt) 
   EXPECT_TRUE(same(parse("--paper --swell-up onboard"), expected));
 }
 
+TEST(MethodOptions, ATableBringsLoadsByBoundaryValuesUnlessOthersAreNamed) {
+  EXPECT_EQ(parse("--table a.qst").loads, DiffractionLoads::kBoundaryValue);
+  EXPECT_EQ(parse("--table a.qst --loads haskind").loads, DiffractionLoads::kHaskind);
+  EXPECT_EQ(parse("--table a.qst --paper").loads, DiffractionLoads::kClassic);
+  EXPECT_EQ(parse("--loads boundary-value").loads, DiffractionLoads::kBoundaryValue);
+}
+
 TEST(MethodOptions, OtherWordsAreWrongUse) {
   EXPECT_THROW(parse("--method strip"), CLI::ParseError);
   EXPECT_THROW(parse("--end-terms yes"), CLI::ParseError);
