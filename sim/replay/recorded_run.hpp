@@ -6,8 +6,8 @@
 // logger heard before the advice but the cycle did not take is left for a later one. So it does not matter
 // which clock drove the live process, nor when the logger was started: an advice that rests on an input from
 // before the log cannot be repeated, and is counted apart. Numbers that go back are a restart.
-// The hull file, its table, the limits and the method have to be those of the recorded run; its cycle period and its
-// source id are taken from the advice.
+// The hull file, its table, the limits and the method have to be those of the recorded run; its cycle period
+// and its source id are taken from the advice.
 #pragma once
 
 #include <cstdint>
