@@ -63,7 +63,8 @@ TEST_F(HullTables, ContoursThatCannotBeAreRefusedByStation) {
   expect_bad(kHull + " compile twice.toml --sections frank --out o.qst",
              {"twice.toml: station x_m = 30", "contour that"});
   static_cast<void>(barge("down.toml", "[6.0, 0.5]", "[6.0, 5.5]"));
-  expect_bad(kHull + " compile down.toml --out o.qst", {"down.toml: station[2].offsets_m[3]", "at least 5.5"});
+  expect_bad(kHull + " compile down.toml --out o.qst",
+             {"down.toml: station[2].offsets_m[3]", "at least 5.5"});
   static_cast<void>(barge("one.toml", "[[0.0, 0.0], [6.0, 5.0]]", "[[6.0, 5.0]]"));
   expect_bad(kHull + " compile one.toml --out o.qst", {"one.toml", "offsets_m"});
 }
@@ -87,7 +88,8 @@ TEST_F(HullTables, DraughtsAndFoldersThatCannotBeAreRefused) {
   expect_bad(compile + "o.qst --draughts 1:3:0.1", {"barge.toml: 21 levels: at most 12"});
   expect_bad(compile + "none/o.qst", {"--out = none/o.qst: no folder"});
   expect_bad(compile + ".", {"--out = .: a folder"});
-  expect_bad(kHull + " compile " + kS175 + " --out o.qst --draughts 7:9.2:0.2", {"12 levels of 24 stations", "fit on board, 9 levels"});
+  expect_bad(kHull + " compile " + kS175 + " --out o.qst --draughts 7:9.2:0.2",
+             {"12 levels of 24 stations", "fit on board, 9 levels"});
   const std::string minimal = kSource + "/sim/hulls/s175_minimal.hull.toml";
   expect_bad(kHull + " compile " + minimal + " --out o.qst --draughts 9,9.5",
              {"draught 9.5 m and trim 0 m alone", "offsets are wanted"});
@@ -148,6 +150,20 @@ TEST_F(HullTables, ADraughtOutsideTheLevelsIsSaidAndFlaggedAndLewisFormsStandIn)
   const Outcome inside = run(kHull + " motions barge.toml" + kMotions + " --table good.qst");
   EXPECT_EQ(inside.err, "");
   EXPECT_EQ(inside.out.find("outside_hull_table"), std::string::npos) << inside.out;
+}
+
+TEST_F(HullTables, TheAdvisorSaysAtTheStartWhichTableItUses) {
+  static_cast<void>(barge("barge.toml"));
+  const Outcome made =
+      run(kHull + " compile barge.toml --sections lewis --draughts 1.9,2,2.1 --out good.qst");
+  const std::string checksum = made.out.substr(made.out.rfind("0x") + 2, 16);
+  const Outcome live = run("timeout --preserve-status -s TERM 3 " + kAdvisor +
+                           " --hull barge.toml --url memq:// --table good.qst");
+  EXPECT_EQ(live.exit_code, 0) << live.err;
+  EXPECT_NE(
+      live.err.find("good.qst: hull table " + checksum + ", lewis sections, 3 levels from 1.9 to 2.1 m"),
+      std::string::npos)
+      << live.err;
 }
 
 }  // namespace
