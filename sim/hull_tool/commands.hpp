@@ -16,6 +16,7 @@ void add_motions(CLI::App& app);
 void add_roll_damping(CLI::App& app);
 void add_parent(CLI::App& app);
 void add_validate(CLI::App& app);
+void add_times(CLI::App& app);
 void add_responses(CLI::App& app);
 void add_grid(CLI::App& app);
 void add_zones(CLI::App& app);
@@ -39,6 +40,7 @@ inline void add_commands(CLI::App& app) {
   add_roll_damping(app);
   add_parent(app);
   add_validate(app);
+  add_times(app);
   add_responses(app);
   add_grid(app);
   add_zones(app);

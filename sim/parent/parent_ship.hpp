@@ -60,7 +60,7 @@ struct ParentOptions {
 
 class ParentShip {
  public:
-  /// Throws std::invalid_argument with the reason: what load() refuses, a station without a contour.
+  /// Throws std::invalid_argument with the reason: what load() refuses, a station whose contour is none.
   ParentShip(const Hull& hull, const Loading& loading, const StripMethod& method,
              const ParentOptions& options = {});
 
