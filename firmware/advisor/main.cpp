@@ -87,10 +87,9 @@ const HullTable* load_table(const std::string& file, const Hull& hull) {
     return nullptr;
   }
   require(read_hull_table(file, hull, table_words, hull_table));
-  fmt::print(stderr, "{}: hull table {:016x}, {} sections, {} from {:g} to {:g} m, {} flagged\n",
-             printable(file, 1000), hull_table->checksum(), name_of(hull_table->sections()),
-             levels(hull_table->num_levels()), hull_table->level(0),
-             hull_table->level(hull_table->num_levels() - 1), hull_table->num_flagged());
+  fmt::print(stderr, "{}: hull table {:016x}, {} from {:g} to {:g} m; by {}\n", printable(file, 1000),
+             hull_table->checksum(), levels(hull_table->num_levels()), hull_table->level(0),
+             hull_table->level(hull_table->num_levels() - 1), provenance_text(*hull_table));
   return &*hull_table;
 }
 

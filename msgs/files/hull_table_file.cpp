@@ -47,6 +47,20 @@ FileStatus read_hull_table(const std::filesystem::path& path, const Hull& hull,
   return {};
 }
 
+std::string provenance_text(const HullTable& table) {
+  std::string text;
+  for (const std::uint32_t word : table.text()) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      const char byte = static_cast<char>((word >> shift) & 0xFFU);
+      if (byte == '\0') {
+        return printable(text, text.size());
+      }
+      text += byte;
+    }
+  }
+  return printable(text, text.size());
+}
+
 FileStatus write_hull_table(std::span<const std::uint32_t> words, const std::filesystem::path& path) {
   std::string bytes(words.size_bytes(), '\0');
   std::memcpy(bytes.data(), words.data(), words.size_bytes());

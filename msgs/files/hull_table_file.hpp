@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "core/hull/hull.hpp"
 #include "core/strip/hull_table.hpp"
@@ -17,6 +18,9 @@ namespace quickstrip {
 /// damaged, compiled for another hull than `hull`.
 FileStatus read_hull_table(const std::filesystem::path& path, const Hull& hull,
                            std::span<std::uint32_t> memory, std::optional<HullTable>& out);
+
+/// Which program made the table, of what: the text in its header, fit to print.
+std::string provenance_text(const HullTable& table);
 
 /// Written beside, then renamed.
 FileStatus write_hull_table(std::span<const std::uint32_t> words, const std::filesystem::path& path);

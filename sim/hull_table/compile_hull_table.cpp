@@ -1,7 +1,6 @@
 #include "sim/hull_table/compile_hull_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -177,9 +176,9 @@ void count(const Hull& hull, const TableSections& sections, HullSections method,
 
 std::string provenance(const Hull& hull, HullSections method, const CompiledHullTable& out) {
   return fmt::format("quickstrip-hull " QUICKSTRIP_VERSION
-                     ": {}, {} sections, {} of {} sections flagged, {} by another method, levels {:g} m",
+                     ": {}, {} sections, {} of {} sections flagged, {} by another method",
                      hull.name.view(), name_of(method), out.num_flagged, out.num_sections,
-                     out.num_other_method, fmt::join(out.levels, " "));
+                     out.num_other_method);
 }
 
 void check_size(const Hull& hull, const std::vector<double>& levels) {
@@ -220,20 +219,6 @@ CompiledHullTable compile_hull_table(const Hull& hull, HullSections sections,
   }
   put_header(hull, sections, out);
   return out;
-}
-
-std::string provenance_text(const HullTable& table) {
-  std::string text;
-  for (const std::uint32_t word : table.text()) {
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      const char byte = static_cast<char>((word >> shift) & 0xFFU);
-      if (byte == '\0') {
-        return text;
-      }
-      text += byte;
-    }
-  }
-  return text;
 }
 
 }  // namespace quickstrip

@@ -161,9 +161,10 @@ TEST_F(HullTables, TheAdvisorSaysAtTheStartWhichTableItUses) {
                            " --hull barge.toml --url memq:// --table good.qst");
   EXPECT_EQ(live.exit_code, 0) << live.err;
   EXPECT_NE(
-      live.err.find("good.qst: hull table " + checksum + ", lewis sections, 3 levels from 1.9 to 2.1 m"),
+      live.err.find("good.qst: hull table " + checksum + ", 3 levels from 1.9 to 2.1 m; by quickstrip-hull "),
       std::string::npos)
       << live.err;
+  EXPECT_NE(live.err.find("barge, lewis sections, 0 of 9 sections flagged"), std::string::npos) << live.err;
 }
 
 }  // namespace
