@@ -88,7 +88,7 @@ TEST(ParentCourse, OfLewisFormsHasTheStatisticsOfTheProgramOnBoard) {
 }
 
 TEST(ParentCourse, DoesNotDependOnItsFrequencies) {
-  const Hull hull = test::s175();
+  const Hull hull = test::box_barge(100.0, 20.0, 7.0, 12.0, 5);
   const StripMethod method{.loads = DiffractionLoads::kClassic};  // one flow a frequency
   const auto quick = on_board(hull, method);
   const ParentShip parent(hull, hull.loading, method, {.sections = SectionMethod::kLewis, .num_threads = 2});
