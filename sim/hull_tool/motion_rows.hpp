@@ -1,7 +1,10 @@
-// The rows of `motions` and `parent`: one wave each.
+// The waves that `motions` and `parent` are asked for, and their rows: one wave each.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "core/strip/motion_transfer.hpp"
 #include "sim/hull_tool/csv.hpp"
@@ -19,6 +22,19 @@ struct GivenWave {
   double mu_deg = 0.0;
   double omega = 0.0;  // rad/s
 };
+
+struct WaveOptions {
+  std::vector<double> speeds_kn;
+  std::vector<double> mus_deg;
+  std::vector<double> omegas;
+  std::optional<double> amplitude;  // m
+};
+
+/// --speed-kn, --mu-deg, --omega, all required, and --wave-amplitude-m.
+void add_wave_options(CLI::App& command, WaveOptions& options);
+
+/// Every wave asked for, frequencies fastest; refuses more than can be printed.
+std::vector<GivenWave> given_waves(const WaveOptions& options);
 
 void add_motion_row(const GivenWave& wave, const MotionTransfer& transfer, double added_resistance,
                     std::uint32_t quality, Csv& csv);

@@ -20,7 +20,7 @@ constexpr std::size_t kMaxTerms = 200;
 struct Reciprocals {
   std::array<double, kMaxTerms + 1> value{};
   constexpr Reciprocals() {
-    for (std::size_t n = 1; n <= kMaxTerms; ++n) {
+    for (std::size_t n = 1; n < value.size(); ++n) {
       value[n] = 1.0 / static_cast<double>(n);
     }
   }

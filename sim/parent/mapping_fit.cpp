@@ -103,8 +103,8 @@ MappingFitter::MappingFitter(const SectionContour& contour) {
 
 void MappingFitter::project(const MappingFit& fit, std::vector<Sample>& samples) const {
   std::array<Offset, kGrid + 1> curve;
-  for (int j = 0; j <= kGrid; ++j) {
-    curve[static_cast<std::size_t>(j)] = curve_point(fit, 0.5 * kPi * j / kGrid).point;
+  for (std::size_t j = 0; j < curve.size(); ++j) {
+    curve[j] = curve_point(fit, 0.5 * kPi * static_cast<double>(j) / kGrid).point;
   }
   for (Sample& sample : samples) {
     const int last = static_cast<int>(std::lround(sample.theta / (0.5 * kPi) * kGrid));

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "sim/parent/frank.hpp"
+#include "tests/parent/beam_loads.hpp"
 #include "tests/parent/frank_sections.hpp"
 
 namespace quickstrip {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/parent/frank.hpp"
+#include "tests/parent/beam_loads.hpp"
 #include "tests/parent/frank_sections.hpp"
 
 namespace quickstrip {

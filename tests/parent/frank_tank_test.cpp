@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/parent/frank.hpp"
+#include "tests/parent/beam_loads.hpp"
 #include "tests/parent/frank_sections.hpp"
 
 namespace quickstrip {

@@ -9,6 +9,7 @@
 #include <complex>
 
 #include "core/base/constants.hpp"
+#include "tests/parent/beam_loads.hpp"
 
 namespace quickstrip {
 namespace {
@@ -96,39 +97,9 @@ TEST(MappedFlow, PotentialsOnTheHullGiveAddedMassAndDampingBack) {
   }
 }
 
-// Loads of a beam wave by unit rho, g, amplitude: Froude-Krilov over the same points and the diffraction
-// load.
-struct BeamLoads {
-  Complex sway;
-  Complex heave;
-  Complex roll;
-};
-BeamLoads beam_loads(const SectionFlow& flow) {
-  const double k = flow.wave_number;
-  const double omega = std::sqrt(k);
-  BeamLoads load;
-  for (const FlowPoint& p : flow.points) {
-    // -int p n ds of p = e^{kz - i k y}, both sides
-    const double decay = std::exp(k * p.z);
-    const Complex odd(0.0, 2.0 * decay * std::sin(k * p.y));
-    load.heave -= 2.0 * decay * std::cos(k * p.y) * p.nz_ds;
-    load.sway += odd * p.ny_ds;
-    load.roll += odd * (p.y * p.nz_ds - p.z * p.ny_ds);
-  }
-  const DiffractionFactors factor = diffraction_factors(flow, k, 1.0);
-  const Complex i(0.0, 1.0);
-  const Complex mass22 = i * omega * flow.a22 + omega * flow.h2 * flow.h2;
-  const Complex mass24 = i * omega * flow.a24 + omega * flow.h2 * flow.h4;
-  const Complex mass33 = i * omega * flow.a33 + omega * flow.h3 * flow.h3;
-  load.heave += mass33 * factor.heave * (i * omega);
-  load.sway += mass22 * factor.sway * omega;
-  load.roll += (mass24 * factor.sway + mass22 * factor.roll_lever) * omega;
-  return load;
-}
-
 // size: a length of the section's [m]
 void expect_haskind(const SectionFlow& flow, double size) {
-  const BeamLoads load = beam_loads(flow);
+  const test::BeamLoads load = test::beam_loads(flow);
   // |X_j| = sqrt(rho g^2 b_jj / omega) = |h_j| here; the potential converges at the root of the mass's rate:
   // 1e-3 of a long wave's load.
   const double tolerance = 2e-3 * size;
