@@ -25,4 +25,8 @@ std::string provenance_text(const HullTable& table);
 /// Written beside, then renamed.
 FileStatus write_hull_table(std::span<const std::uint32_t> words, const std::filesystem::path& path);
 
+/// For whoever asks for loads that only a table has.
+inline constexpr const char* kHullTableWanted =
+    "--loads = boundary-value: --table FILE is wanted too, made by `quickstrip-hull compile`";
+
 }  // namespace quickstrip

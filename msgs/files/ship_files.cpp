@@ -2,6 +2,7 @@
 
 #include "core/advice/nordforsk.hpp"
 #include "msgs/files/hull_file.hpp"
+#include "msgs/files/hull_table_file.hpp"
 #include "msgs/files/limits_file.hpp"
 
 namespace quickstrip {
@@ -29,6 +30,9 @@ FileStatus read_ship_files(const std::string& hull, const std::string& limits, S
 }
 
 std::string refused_by_core(const std::string& hull, Error error) {
+  if (error == Error::kHullTableNeeded) {
+    return kHullTableWanted;
+  }
   return hull + ": " + message(error) + "; `quickstrip-hull check " + hull +
          "` names the field and says what would be right";
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "msgs/files/hull_table_file.hpp"
 #include "sim/hull_tool/floating_hull.hpp"
 
 namespace quickstrip::hull_tool {
@@ -112,6 +113,8 @@ std::string explain(Error error, const FloatingHull& ship, const LoadingOptions&
       return too_few(ship, options);
     case Error::kOutOfRange:
       return place_out_of_range(ship);
+    case Error::kHullTableNeeded:
+      return kHullTableWanted;
     default:
       return fmt::format("{}: [loading] and [[station]] together: {}", ship.file, message(error));
   }

@@ -130,9 +130,9 @@ TEST_F(HullTables, WhatIsNoTableOfThisHullStopsEveryProgram) {
     expect_bad(kSim + " replay empty.log --hull barge.toml --recorded ignore" + table, {one.line});
   }
   expect_bad(kHull + " motions barge.toml --loads boundary-value" + kMotions,
-             {"barge.toml", "need a compiled hull table"});
+             {"--loads = boundary-value", "--table FILE"});
   expect_bad(kAdvisor + " --hull barge.toml --url memq:// --loads boundary-value",
-             {"barge.toml", "need a compiled hull table"});
+             {"--loads = boundary-value", "--table FILE"});
 }
 
 TEST_F(HullTables, ADraughtOutsideTheLevelsIsSaidAndFlaggedAndLewisFormsStandIn) {
