@@ -2,6 +2,8 @@
 #include "tests/display/browser.hpp"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace quickstrip::test {
 namespace {
@@ -90,6 +92,41 @@ TEST_F(Browser, LargestFactsAreReadAtThreeMetresAndTargetsFitAFinger) {
       const r = document.getElementById(id).getBoundingClientRect();
       return r.right > innerWidth || r.bottom > innerHeight || r.left < 0 || r.top < 0; }))");
   EXPECT_EQ(beyond, json::array());
+}
+
+// Pairs of words of the picture whose boxes on the screen share more than a pixel: rounding of the layout.
+constexpr const char* kOverlaps = R"(
+  const named = (css) => [...document.querySelectorAll(css)].map((e) => [e.textContent || e.id, e.getBoundingClientRect()]);
+  const meet = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
+  const waves = named('.wave-label'), inside = named('.ring-name, .zone-name'), found = [];
+  if (waves.length === 0 || inside.length < 5) return ['nothing drawn'];
+  const check = (one, others) => others.forEach(([name, r]) => { if (meet(one[1], r)) found.push(`${one[0]} / ${name}`); });
+  waves.forEach((label) => check(label, named('#legend, #orientation, #sea-total, [id^="bearing-"], .ring-name, .zone-name')));
+  inside.forEach((label, i) => check(label, [...inside.slice(i + 1), ...named('#own-ship, .change-mark')]));
+  return found;
+)";
+
+TEST_F(Browser, WordsOfThePictureDoNotLieOverOneAnotherWhateverTheWavesDirection) {
+  Bridge bridge;
+  for (const auto& [width, height] : {std::pair{kWidth, kHeight}, {1024, 768}, {390, 844}}) {
+    driver().resize(width, height);
+    open_live(bridge);
+    for (int dir = 0; dir < 360; dir += 45) {
+      const int heading = (dir + 225) % 360;  // 045 among them, where else the speeds are written
+      bridge.dir_from_deg = dir;
+      bridge.heading_deg = heading;
+      ASSERT_TRUE(driver().wait_until("return document.querySelector('.wave')?.dataset.dirFrom === '" +
+                                          std::to_string(dir) + "' && parseInt(document.getElementById(" +
+                                          "'own-heading').textContent, 10) === " + std::to_string(heading),
+                                      3s));
+      for (const char* const top : {"north up", "head up"}) {
+        EXPECT_EQ(driver().run(kOverlaps), json::array())
+            << width << " px, waves from " << dir << ", " << top;
+        driver().click("#orientation");
+      }
+    }
+  }
+  driver().resize(kWidth, kHeight);
 }
 
 TEST_F(Browser, FallsToOneColumnOnAPhone) {

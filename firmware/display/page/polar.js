@@ -3,7 +3,8 @@ import { $, svg, setText } from './dom.js';
 import { pointAt, segment, speedScale } from './geometry.js';
 import { hatchDefinitions, fillName } from './hatches.js';
 import { drawWaves } from './waves.js';
-import { causesOf, zonePatches } from './causes.js';
+import { causesOf } from './causes.js';
+import { bearingLabels, ringLabels, shipBoxes, zoneLabels } from './labels.js';
 
 export const RADIUS = 262;
 const view = { grid: null, state: null, headUp: false, selected: null, cells: [], scale: null, shape: '' };
@@ -43,51 +44,17 @@ function turn() {
   for (const layer of [layers.rose, layers.ship]) layer.setAttribute('transform', `rotate(${-top})`);
   $('orientation').replaceChildren(view.headUp ? 'Head' : 'North', document.createElement('br'), 'up');
   drawLabels(top);
-  drawWaves(layers.waves, view.state?.sea?.systems ?? [], top);
+  drawWaves(layers.waves, view.state?.sea?.systems ?? [], top, RADIUS);
 }
 
 function drawLabels(top) {
-  const text = (bearing, radius, words, size, id) => {
-    const [x, y] = pointAt(bearing - top, radius);
-    const label = svg('text', { x, y: y + size * 0.36, 'text-anchor': 'middle', 'font-size': size, fill: 'var(--dim)', 'font-weight': 'bold' });
-    if (id) label.id = id;
-    label.textContent = words;
-    return label;
-  };
-  const names = { 0: 'N', 90: 'E', 180: 'S', 270: 'W' };
-  const labels = [];
-  for (let b = 0; b < 360; b += 30) labels.push(text(b, RADIUS + 15, names[b] ?? String(b).padStart(3, '0'), names[b] ? 24 : 16, `bearing-${b}`));
-  if (view.scale) {
-    const speeds = view.grid.speed_kn;
-    for (let s = 0; s < speeds.length; ++s) {
-      if (speeds[s] > 0 && speeds[s] % 6 === 0) {
-        const [x, y] = pointAt(45, view.scale.at(speeds[s]));
-        const label = svg('text', { x, y: y + 5, 'text-anchor': 'middle', 'font-size': 15, fill: 'var(--text)', stroke: 'var(--panel)', 'stroke-width': 4, 'paint-order': 'stroke' });
-        label.textContent = `${speeds[s]} kn`;
-        labels.push(label);
-      }
-    }
+  const labels = bearingLabels(top, RADIUS);
+  if (view.grid && view.scale) {
+    const ship = shipBoxes(view.state, view.scale, top);
+    const rings = ringLabels(view.grid.speed_kn, view.scale, ship);
+    labels.push(...rings.labels, ...zoneLabels(view.grid, view.scale, top, RADIUS, [...ship, ...rings.boxes]));
   }
-  layers.labels.replaceChildren(...labels, ...(view.grid && view.scale ? zoneNames(top) : []));
-}
-
-// The name of a zone in the middle of its patch, upright, one beside the other.
-function zoneNames(top) {
-  const { num_headings: headings, speed_kn: knots } = view.grid;
-  const placed = [];
-  return zonePatches(view.grid).map(({ name, cells }) => {
-    const points = cells.map((i) => pointAt((360 * (i % headings)) / headings - top, view.scale.at(knots[Math.floor(i / headings)])));
-    const mean = [0, 1].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length);
-    const gap = (p) => Math.hypot(p[0] - mean[0], p[1] - mean[1]);
-    let [x, y] = points.reduce((best, p) => (gap(p) < gap(best) ? p : best)); // the middle of a ring lies outside it
-    const words = svg('text', { class: 'zone-name', x: Math.max(-190, Math.min(190, x)), y: y + 6, 'text-anchor': 'middle', 'font-size': 17, 'font-weight': 'bold',
-      fill: 'var(--ink-zone)', stroke: 'var(--panel)', 'stroke-width': 5, 'paint-order': 'stroke', 'pointer-events': 'none' });
-    while (placed.some((p) => Math.abs(p.x - x) < 140 && Math.abs(p.y - y) < 19)) y += 19;
-    words.setAttribute('y', y + 6);
-    placed.push({ x, y });
-    words.textContent = name;
-    return words;
-  });
+  layers.labels.replaceChildren(...labels);
 }
 
 // The elements are made once for a shape of grid, then only their classes change.
