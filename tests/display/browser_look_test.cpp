@@ -8,7 +8,6 @@
 namespace quickstrip::test {
 namespace {
 
-using namespace std::chrono_literals;
 using nlohmann::json;
 
 // Every colour that is on the page, as the browser computed it.
@@ -118,7 +117,7 @@ TEST_F(Browser, WordsOfThePictureDoNotLieOverOneAnotherWhateverTheWavesDirection
       ASSERT_TRUE(driver().wait_until("return document.querySelector('.wave')?.dataset.dirFrom === '" +
                                           std::to_string(dir) + "' && parseInt(document.getElementById(" +
                                           "'own-heading').textContent, 10) === " + std::to_string(heading),
-                                      3s));
+                                      std::chrono::seconds(3)));
       for (const char* const top : {"north up", "head up"}) {
         EXPECT_EQ(driver().run(kOverlaps), json::array())
             << width << " px, waves from " << dir << ", " << top;
