@@ -68,6 +68,19 @@ TEST_F(Browser, PalettesFollowTheButtonAndAreKept) {
   EXPECT_EQ(driver().run("return getComputedStyle(document.body).backgroundColor"), day);
 }
 
+// Ids of facts that do not lie whole on the screen.
+constexpr const char* kBeyondTheScreen = R"(
+  return ['verdict-word', 'own-speed', 'margin-big', 'utc', 'tab-alerts', 'link-state'].filter((id) => {
+    const r = document.getElementById(id).getBoundingClientRect();
+    return r.right > innerWidth || r.bottom > innerHeight || r.left < 0 || r.top < 0; });
+)";
+
+// Buttons below 15 mm; the argument: pixels a millimetre.
+constexpr const char* kSmallButtons = R"(
+  return [...document.querySelectorAll('button')].filter((b) => b.offsetParent).map((b) => [b.id, b.getBoundingClientRect()])
+    .filter(([, r]) => Math.min(r.width, r.height) < 15 * arguments[0]).map(([id, r]) => `${id} ${r.width}x${r.height}`);
+)";
+
 TEST_F(Browser, LargestFactsAreReadAtThreeMetresAndTargetsFitAFinger) {
   Bridge bridge;
   open_live(bridge);
@@ -81,16 +94,20 @@ TEST_F(Browser, LargestFactsAreReadAtThreeMetresAndTargetsFitAFinger) {
   for (const json& height : heights) {
     EXPECT_GE(height.get<double>() / kPixelsPerMm, 7.9);  // "about 8 mm": the font's hinting may take a tenth
   }
-  const json small = driver().run(R"(
-    return [...document.querySelectorAll('button')].filter((b) => b.offsetParent).map((b) => [b.id, b.getBoundingClientRect()])
-      .filter(([, r]) => Math.min(r.width, r.height) < 15 * arguments[0]).map(([id, r]) => `${id} ${r.width}x${r.height}`))",
-                                  {kPixelsPerMm});
-  EXPECT_EQ(small, json::array());
-  const json beyond = driver().run(R"(
-    return ['verdict-word', 'own-speed', 'margin-big', 'utc', 'tab-alerts', 'link-state'].filter((id) => {
-      const r = document.getElementById(id).getBoundingClientRect();
-      return r.right > innerWidth || r.bottom > innerHeight || r.left < 0 || r.top < 0; }))");
-  EXPECT_EQ(beyond, json::array());
+  EXPECT_EQ(driver().run(kSmallButtons, {kPixelsPerMm}), json::array());
+  EXPECT_EQ(driver().run(kBeyondTheScreen), json::array());
+}
+
+TEST_F(Browser, NothingIsCutOffOnASquareScreenAndWhatToDoIsSeen) {
+  Bridge bridge;
+  driver().resize(1024, 768);
+  open_live(bridge);
+  keep_picture("live_square");
+  EXPECT_EQ(driver().run(kBeyondTheScreen), json::array());
+  EXPECT_EQ(driver().run(kSmallButtons, {1024.0 / 304.0}),
+            json::array());  // a screen of 15 inches, 304 mm wide
+  EXPECT_GE(driver().run("return document.getElementById('panels').clientHeight").get<int>(), 150);
+  driver().resize(kWidth, kHeight);
 }
 
 // Pairs of words of the picture whose boxes on the screen share more than a pixel: rounding of the layout.
