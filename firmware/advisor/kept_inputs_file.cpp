@@ -11,7 +11,8 @@ namespace quickstrip {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{200};
-constexpr std::int64_t kOwnShipEvery_us = 10'000'000;
+// A restart finds it at most so old: well within the age at which own ship goes stale (10 s).
+constexpr std::int64_t kOwnShipEvery_us = 2'000'000;
 
 template <typename Message>
 FileStatus append(LcmLogWriter& log, const std::string& channel, const Message& message) {

@@ -1,7 +1,7 @@
 // The last inputs on disk, so that a restart has them, aged, and the limits last in force, so that a restart
 // sees that they have been changed. The file is an LCM log of one event a kind
 // (quickstrip-sim inspect shows it), written beside and renamed. A thread of its own writes: at the first
-// cycle, at once when sea or loading are new, own ship every ten seconds; the cycle only hands over a copy.
+// cycle, at once when sea or loading are new, own ship every two seconds; the cycle only hands over a copy.
 #pragma once
 
 #include <atomic>
