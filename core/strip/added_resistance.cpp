@@ -7,9 +7,6 @@
 namespace quickstrip {
 namespace {
 
-// cos 90 degrees comes out as 6e-17.
-constexpr double kBeam = 1e-12;
-
 // Positions of the hull's very ends, from G.
 double aft_end(const LoadedHull& hull) {
   return hull.x[0] - hull.taper_aft;
@@ -105,11 +102,11 @@ void resistance_wave(const LoadedHull& hull, double omega, EncounterAngle mu, co
 double added_resistance(const LoadedHull& hull, const ResistanceWave& wave, const MotionTransfer& motion,
                         double speed) {
   const double cos_mu = std::cos(wave.mu.radians);
-  if (cos_mu < -kBeam) {
+  if (cos_mu < -kCosineOfBeam) {
     return radiated_energy_resistance(hull, wave, motion, speed, radiated_power_of(hull.method.variant));
   }
   const double behind = integrated_pressure_resistance(hull, wave, motion);
-  return cos_mu > kBeam ? behind : 0.5 * behind;
+  return cos_mu > kCosineOfBeam ? behind : 0.5 * behind;
 }
 
 double radiated_energy_resistance(const LoadedHull& hull, const ResistanceWave& wave,
@@ -135,13 +132,16 @@ double radiated_energy_resistance(const LoadedHull& hull, const ResistanceWave& 
 
 double integrated_pressure_resistance(const LoadedHull& hull, const ResistanceWave& wave,
                                       const MotionTransfer& motion) {
-  const Complex heave = motion.motion[2];
-  const Complex pitch = motion.motion[4];
   AlongHull s;  // relative elevation
-  relative_to(hull, wave.elevation, heave, -pitch, s);
-  const double pressure = -0.5 * hull.density * hull.gravity * slope_times_square(hull, hull.half_breadth, s);
+  relative_to(hull, wave.elevation, motion.motion[2], -motion.motion[4], s);
+  return integrated_pressure_resistance(hull, slope_times_square(hull, hull.half_breadth, s), motion);
+}
+
+double integrated_pressure_resistance(const LoadedHull& hull, double slope_times_square,
+                                      const MotionTransfer& motion) {
   const double omega_e = motion.encounter_frequency;
-  return pressure + 0.5 * hull.body.mass * omega_e * omega_e * (heave * std::conj(pitch)).real();
+  return -0.5 * hull.density * hull.gravity * slope_times_square +
+         0.5 * hull.body.mass * omega_e * omega_e * (motion.motion[2] * std::conj(motion.motion[4])).real();
 }
 
 double added_resistance(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,

@@ -43,13 +43,6 @@
 
 namespace quickstrip {
 
-/// A quantity by section and at the hull's very ends, beyond them by the tapers.
-struct AlongHull {
-  ComplexSectionValues at{};
-  Complex aft;
-  Complex fore;
-};
-
 /// What added resistance needs of a wave of 1 m amplitude, whatever the speed.
 struct ResistanceWave {
   double omega = 0.0;
@@ -80,6 +73,12 @@ double radiated_energy_resistance(const LoadedHull& hull, const ResistanceWave& 
 
 double integrated_pressure_resistance(const LoadedHull& hull, const ResistanceWave& wave,
                                       const MotionTransfer& motion);
+/// The same, with the integral of dy_w/dx |s|^2 over the length given, s the relative elevation.
+double integrated_pressure_resistance(const LoadedHull& hull, double slope_times_square,
+                                      const MotionTransfer& motion);
+
+/// |cos mu| of 90 degrees comes out as 6e-17.
+inline constexpr double kCosineOfBeam = 1e-12;
 
 /// For one wave alone, its sections included (some 20 us); `motion` as above.
 double added_resistance(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "core/base/angles.hpp"
+#include "core/base/pair.hpp"
 #include "core/strip/hydrodynamic_coefficients.hpp"
 #include "core/strip/loaded_hull.hpp"
 #include "core/strip/motion_transfer.hpp"
@@ -17,6 +18,38 @@ namespace quickstrip {
 /// surge, sway and yaw would grow as 1/omega_e^2 with nothing to restore them; the minimum with omega/2 keeps
 /// the long-wave limits (formulas §6). With sign(omega_e) the motions jump where omega_e changes sign.
 double encounter_floor(const LoadedHull& hull, double omega);
+
+/// How a wave is met, and the frequency that coefficients and equations see.
+struct FlooredEncounter {
+  Encounter encounter;
+  double floored = 0.0;  // signed, at least the floor [rad/s]
+};
+FlooredEncounter encounter_of(const LoadedHull& hull, double omega, EncounterAngle mu, double speed);
+
+/// Of the ship herself: inertia, restoring, and surge, which does not depend on frequency.
+struct ShipTerms {
+  RigidBody body;
+  Restoring restoring;
+  double a11 = 0.0;  // surge: added mass about G
+  double a15 = 0.0;
+  double a55 = 0.0;
+  double b11_per_speed = 0.0;  // N s2/m2
+  bool is_modified = false;    // StripVariant::kModified
+};
+ShipTerms ship_terms(const LoadedHull& hull);
+
+/// Two sets of equations at once: of two speeds or two waves. Loads and motions in the order of the set.
+struct MotionPair {
+  Pair omega_e;  // floored
+  Pair speed;
+  std::array<LengthStencil, 2> integrals;  // at |omega_e|
+};
+using ThreePair = std::array<ComplexPair, 3>;
+/// Surge, heave, pitch.
+ThreePair solve_vertical(const ShipTerms& ship, const MotionPair& at, const ThreePair& load);
+/// Sway, roll, yaw; `roll_damping`: b44 on top of potential damping [N m s].
+ThreePair solve_lateral(const ShipTerms& ship, const MotionPair& at, Pair roll_damping,
+                        const ThreePair& load);
 
 /// Motions at G per metre of wave amplitude. `field` is the wave's; speed V >= 0 [m/s].
 /// A singular set gives non-finite numbers, which solve_transfer_functions() refuses; potential damping makes

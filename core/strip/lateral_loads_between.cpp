@@ -44,9 +44,9 @@ double turn_between(const LoadedHull& hull, EncounterAngle mu, double omega, dou
   return 0.5 * hull.lpp * std::fabs(change * std::cos(mu.radians));
 }
 
-std::array<Complex, 6> lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves,
-                                             EncounterAngle mu, double speed, std::size_t interval,
-                                             double omega, double omega_e) {
+LateralLoad lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu,
+                                  double speed, std::size_t interval, double omega, double omega_e,
+                                  WaveWork& work) {
   QS_CHECK(waves.omega.size() >= kStencil && waves.sections.size() == waves.omega.size());
   const Cubic cubic = cubic_at(waves.omega, interval, omega);
   const std::size_t n = hull.num_sections;
@@ -68,11 +68,13 @@ std::array<Complex, 6> lateral_loads_between(const LoadedHull& hull, const Direc
     interpolate(cubic, n, part(&SectionDiffraction::sway), diffraction.sway);
     interpolate(cubic, n, part(&SectionDiffraction::roll), diffraction.roll);
   }
-  WaveField field;
-  lateral_wave_field(hull, omega, mu, sections, has_diffraction ? &diffraction : nullptr, field);
+  lateral_wave_field(hull, omega, mu, sections, has_diffraction ? &diffraction : nullptr, work.field);
   SectionHydrodynamics hydrodynamics;
   section_hydrodynamics(hull, omega_e, hydrodynamics);
-  return lateral_wave_loads(hull, field, hydrodynamics, omega_e, speed);
+  arrange_lateral(hull, work.field, work.columns);
+  sum_up_lateral(hull, work.columns, hydrodynamics, work.sums);
+  const std::array<Pair, 6> load = lateral_loads_of(hull, work.columns, work.sums, omega_e, speed);
+  return {complex_of(load[1]), complex_of(load[3]), complex_of(load[5])};
 }
 
 }  // namespace quickstrip

@@ -15,7 +15,7 @@
 
 #include "core/base/angles.hpp"
 #include "core/strip/loaded_hull.hpp"
-#include "core/strip/wave_loads.hpp"
+#include "core/strip/wave_at_speeds.hpp"
 
 namespace quickstrip {
 
@@ -30,10 +30,10 @@ struct DirectionWaves {
 /// How far the wave at the ends of the ship turns against midships from one frequency to the next [rad].
 double turn_between(const LoadedHull& hull, EncounterAngle mu, double omega, double next_omega);
 
-/// Six loads, of which surge, heave and pitch are zero, at omega between frequency `interval` and the next;
+/// At omega between frequency `interval` and the next;
 /// omega_e signed, not zero, above the floor.
-std::array<Complex, 6> lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves,
-                                             EncounterAngle mu, double speed, std::size_t interval,
-                                             double omega, double omega_e);
+LateralLoad lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu,
+                                  double speed, std::size_t interval, double omega, double omega_e,
+                                  WaveWork& work);
 
 }  // namespace quickstrip

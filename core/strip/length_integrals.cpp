@@ -1,8 +1,8 @@
 // Integrals over the length of the loaded hull (loaded_hull.hpp).
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/base/interpolation.hpp"
 #include "core/strip/loaded_hull.hpp"
 
 namespace quickstrip {
@@ -17,15 +17,31 @@ void length_integrals(const LoadedHull& hull, const SectionHydrodynamics& sectio
   }
 }
 
-void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out) {
+bool node_stencil(const LoadedHull& hull, double omega_e, NodeStencil& out) {
   const double log_omega = std::log(std::fabs(omega_e));
   if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
+    return false;
+  }
+  // Nodes are even: the middle one is the nearest, kept off both ends, and u the place from it in steps.
+  constexpr auto kLast = static_cast<double>(kNumEncounterNodes - 1);
+  const double place =
+      (log_omega - hull.log_omega.front()) * kLast / (hull.log_omega.back() - hull.log_omega.front());
+  const auto middle =
+      std::clamp<std::size_t>(static_cast<std::size_t>(place + 0.5), 1, kNumEncounterNodes - 2);
+  const double u = place - static_cast<double>(middle);
+  out.first = middle - 1;
+  out.weight = {0.5 * u * (u - 1.0), (1.0 - u) * (1.0 + u), 0.5 * u * (u + 1.0)};
+  return true;
+}
+
+void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out) {
+  NodeStencil s;
+  if (!node_stencil(hull, omega_e, s)) {
     SectionHydrodynamics section;
     section_hydrodynamics(hull, omega_e, section);
     length_integrals(hull, section, out);
     return;
   }
-  const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
   const LengthIntegrals& i0 = hull.node_integrals[s.first];
   const LengthIntegrals& i1 = hull.node_integrals[s.first + 1];
   const LengthIntegrals& i2 = hull.node_integrals[s.first + 2];

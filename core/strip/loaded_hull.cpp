@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "core/base/interpolation.hpp"
 #include "core/strip/ikeda_damping.hpp"
 #include "core/strip/surge.hpp"
 
@@ -110,7 +109,7 @@ void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, Se
   out[kB44][i] = c.b44 + 2.0 * og * c.b24 + og * og * c.b22;
 }
 
-void interpolate(const LoadedHull& hull, const LagrangeStencil& s, StripQuantity q, SectionValues& out) {
+void interpolate(const LoadedHull& hull, const NodeStencil& s, StripQuantity q, SectionValues& out) {
   const SectionValues& v0 = hull.node[s.first][q];
   const SectionValues& v1 = hull.node[s.first + 1][q];
   const SectionValues& v2 = hull.node[s.first + 2][q];
@@ -295,29 +294,27 @@ void set_roll_damping_ratio(LoadedHull& hull, double ratio) {
 
 void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out) {
   const double omega = std::fabs(omega_e);
-  const double log_omega = std::log(omega);
-  if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
+  NodeStencil s;
+  if (!node_stencil(hull, omega, s)) {
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
       table_hydrodynamics(hull, i, omega, out);
     }
     return;
   }
-  const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
   for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
     interpolate(hull, s, static_cast<StripQuantity>(q), out[q]);
   }
 }
 
 void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, SectionValues& b33) {
-  const double log_omega = std::log(std::fabs(omega_e));
-  if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
+  NodeStencil s;
+  if (!node_stencil(hull, omega_e, s)) {
     SectionHydrodynamics all;
     section_hydrodynamics(hull, omega_e, all);
     a33 = all[kA33];
     b33 = all[kB33];
     return;
   }
-  const LagrangeStencil s = lagrange_stencil(hull.log_omega, log_omega);
   interpolate(hull, s, kA33, a33);
   interpolate(hull, s, kB33, b33);
 }

@@ -148,6 +148,20 @@ void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, S
 /// The integrals of section_hydrodynamics() at |omega_e|, without forming the sections between the nodes.
 void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out);
 
+/// Where |omega_e| lies among the nodes: the parabola's three, in increasing order, and their weights.
+/// False: outside of them.
+struct NodeStencil {
+  std::size_t first = 0;
+  std::array<double, 3> weight{};
+};
+bool node_stencil(const LoadedHull& hull, double omega_e, NodeStencil& out);
+
+/// Three sets of integrals and their weights.
+struct LengthStencil {
+  std::array<const LengthIntegrals*, 3> at{};
+  std::array<double, 3> weight{};
+};
+
 /// The same from given sections.
 void length_integrals(const LoadedHull& hull, const SectionHydrodynamics& section, LengthIntegrals& out);
 

@@ -77,11 +77,11 @@ Sight sight_of(const RollResonance& resonance, double speed, EncounterAngle mu, 
 // How much roll each frequency may make: of a sea's slope what reaches roll, relative to the largest. So the
 // points go where roll is, in seas long and short: a spectrum of slopes is flat to begin with.
 std::array<double, kMaxFrequencies> roll_shares(std::span<const double> omega,
-                                                std::span<const std::array<Complex, 6>> loads) {
+                                                std::span<const LateralLoad> loads) {
   std::array<double, kMaxFrequencies> out{};
   for (std::size_t f = 0; f < omega.size(); ++f) {
     const double slope = omega[f] * omega[f];
-    out[f] = std::norm(loads[f][3]) / (slope * slope);
+    out[f] = std::norm(loads[f][1]) / (slope * slope);
   }
   const double largest = *std::max_element(out.begin(), out.end());
   for (std::size_t f = 0; f < omega.size(); ++f) {
@@ -176,26 +176,49 @@ Stencil stencil_around(std::span<const Encounter> row, std::size_t j) {
 }
 
 // Lagrange through the frequencies of the stencil.
-std::array<Complex, 6> load_between(std::span<const double> omega,
-                                    std::span<const std::array<Complex, 6>> loads, const Stencil& stencil,
-                                    double at) {
+LateralLoad load_between(std::span<const double> omega, std::span<const LateralLoad> loads,
+                         const Stencil& stencil, double at) {
   std::array<double, kMostNodes> weight{};
   lagrange_weights(omega.subspan(stencil.first, stencil.count), at, weight);
-  std::array<Complex, 6> load{};
+  LateralLoad load{};
   for (std::size_t i = 0; i < stencil.count; ++i) {
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < load.size(); ++k) {
       load[k] += weight[i] * loads[stencil.first + i][k];
     }
   }
   return load;
 }
 
-void store_point(const MotionTransfer& solved, std::size_t p, RollPeak& out) {
-  for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
-    const Complex motion = solved.motion[kPeakModes[i]];
-    out.re[i][p] = static_cast<float>(motion.real());
-    out.im[i][p] = static_cast<float>(motion.imag());
+// Sway, roll and yaw at every point, two at a time. False: one is not finite.
+bool solve_points(const LoadedHull& hull, const ShipTerms& ship, const SpeedTerms& terms, EncounterAngle mu,
+                  std::span<const LateralLoad> loads, RollPeak& out) {
+  std::array<LengthIntegrals, 2> outside;
+  bool finite = true;
+  for (std::size_t first = 0; first < out.num_points; first += 2) {
+    MotionPair at{};
+    ThreePair load;
+    const std::array<std::size_t, 2> points = {first, std::min(first + 1, out.num_points - 1)};
+    for (std::size_t l = 0; l < 2; ++l) {
+      const auto omega = static_cast<double>(out.omega[points[l]]);
+      at.omega_e[l] = encounter_of(hull, omega, mu, terms.speed).floored;
+      at.integrals[l] = length_stencil(hull, at.omega_e[l], outside[l]);
+      for (std::size_t r = 0; r < 3; ++r) {
+        load[r].re[l] = loads[points[l]][r].real();
+        load[r].im[l] = loads[points[l]][r].imag();
+      }
+    }
+    at.speed = both(terms.speed);
+    const ThreePair motion = solve_lateral(ship, at, both(terms.roll_damping), load);
+    for (std::size_t l = 0; l < 2; ++l) {
+      for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
+        const Complex value = lane(motion[i], static_cast<int>(l));
+        finite = finite && std::isfinite(value.real()) && std::isfinite(value.imag());
+        out.re[i][points[l]] = static_cast<float>(value.real());
+        out.im[i][points[l]] = static_cast<float>(value.imag());
+      }
+    }
   }
+  return finite;
 }
 
 }  // namespace
@@ -222,9 +245,11 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed) {
   return {omega, std::isfinite(width) ? std::clamp(width, kLeastHalfWidth * omega, widest) : widest};
 }
 
-bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed, EncounterAngle mu,
-                     const DirectionWaves& waves, std::span<const Encounter> encounters,
-                     std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out) {
+bool solve_roll_peak(const LoadedHull& hull, const ShipTerms& ship, const RollResonance& resonance,
+                     const SpeedTerms& terms, EncounterAngle mu, const DirectionWaves& waves,
+                     std::span<const Encounter> encounters, std::span<const LateralLoad> loads,
+                     WaveWork& work, RollPeak& out) {
+  const double speed = terms.speed;
   const std::span<const double> omega = waves.omega;
   QS_CHECK(omega.size() >= 4 && omega.size() <= kMaxFrequencies && encounters.size() == omega.size() &&
            loads.size() == omega.size());
@@ -236,6 +261,7 @@ bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, dou
     sights[j].gain = sights[j].area * largest_near(std::span(share).first(omega.size()), j);
   }
   place_points(omega, choose_panels(sights), out);
+  std::array<LateralLoad, kMaxPeakPoints> load;
   for (const PeakInterval& interval : out.intervals) {
     const std::size_t j = interval.node;
     const Stencil stencil = stencil_around(encounters, j);
@@ -243,16 +269,11 @@ bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, dou
     for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
       const auto at = static_cast<double>(out.omega[p]);
       const double met = encounter_frequency(at, wave_number(at, hull.gravity), speed, mu);
-      const auto load = by_section ? lateral_loads_between(hull, waves, mu, speed, j, at, met)
-                                   : load_between(omega, loads, stencil, at);
-      const MotionTransfer solved = motions_under_load(hull, at, mu, speed, load);
-      if (!is_finite(solved)) {
-        return false;
-      }
-      store_point(solved, p, out);
+      load[p] = by_section ? lateral_loads_between(hull, waves, mu, speed, j, at, met, work)
+                           : load_between(omega, loads, stencil, at);
     }
   }
-  return true;
+  return solve_points(hull, ship, terms, mu, std::span(load).first(out.num_points), out);
 }
 
 }  // namespace quickstrip

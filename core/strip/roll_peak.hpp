@@ -67,9 +67,9 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed);
 
 /// `omega`: the wave frequencies, at least four, increasing; `encounters` and `loads`: there. False: a
 /// solution is not finite.
-[[nodiscard]] bool solve_roll_peak(const LoadedHull& hull, const RollResonance& resonance, double speed,
-                                   EncounterAngle mu, const DirectionWaves& waves,
-                                   std::span<const Encounter> encounters,
-                                   std::span<const std::array<std::complex<double>, 6>> loads, RollPeak& out);
+[[nodiscard]] bool solve_roll_peak(const LoadedHull& hull, const ShipTerms& ship,
+                                   const RollResonance& resonance, const SpeedTerms& terms, EncounterAngle mu,
+                                   const DirectionWaves& waves, std::span<const Encounter> encounters,
+                                   std::span<const LateralLoad> loads, WaveWork& work, RollPeak& out);
 
 }  // namespace quickstrip

@@ -31,41 +31,51 @@ double node_density(double omega, double froude_frequency) {
   return 1.0 / omega + kDensityOfMiddle / froude_frequency / (1.0 + x * x * x * x);
 }
 
-Status solve_direction(const LoadedHull& hull, std::size_t m,
-                       std::span<const RollResonance, kMaxSpeeds> resonances, TransferWorkspace& work,
+// One wave at every speed, two at a time.
+Status solve_wave(const LoadedHull& hull, std::size_t m, std::size_t f, TransferWorkspace& work,
+                  TransferFunctions& out) {
+  for (std::size_t first = 0; first < out.num_speeds; first += 2) {
+    const std::array<std::size_t, 2> pair = {first, std::min(first + 1, out.num_speeds - 1)};
+    const auto solved = solve_speeds(hull, work.ship, {work.terms[pair[0]], work.terms[pair[1]]}, work.wave);
+    for (std::size_t l = 0; l < 2; ++l) {
+      const std::size_t v = pair[l];
+      const MotionTransfer& transfer = solved[l].transfer;
+      if (!is_finite(transfer)) {
+        return Error::kSingular;
+      }
+      store_motions(transfer.motion, f, out.row[v][m]);
+      out.added_resistance[v][m][f] = static_cast<float>(solved[l].added_resistance);
+      work.load[v][f] = solved[l].load;
+      work.encounter[v][f] = {transfer.encounter_frequency, transfer.low_encounter};
+    }
+  }
+  return {};
+}
+
+Status solve_direction(const LoadedHull& hull, std::size_t m, TransferWorkspace& work,
                        TransferFunctions& out) {
   const EncounterAngle mu = solved_angle(m);
   const bool has_diffraction = hull.method.loads != DiffractionLoads::kClassic;
+  const std::size_t n = out.num_frequencies;
   if (hull.method.loads == DiffractionLoads::kBoundaryValue) {
-    boundary_value_motions(hull, std::span(out.omega).first(out.num_frequencies), mu, work.diffraction);
+    boundary_value_motions(hull, std::span(out.omega).first(n), mu, work.diffraction);
   }
-  WaveField field;
-  ResistanceWave resistance;
-  for (std::size_t f = 0; f < out.num_frequencies; ++f) {
+  for (std::size_t f = 0; f < n; ++f) {
     section_waves(hull, out.omega[f], mu, work.sections[f]);
-    wave_field(hull, out.omega[f], mu, work.sections[f], has_diffraction ? &work.diffraction[f] : nullptr,
-               field);
-    resistance_wave(hull, out.omega[f], mu, work.sections[f], resistance);
-    for (std::size_t v = 0; v < out.num_speeds; ++v) {
-      const MotionTransfer solved = motion_transfer(hull, field, out.speeds[v], work.load[v][f]);
-      if (!is_finite(solved)) {
-        return Error::kSingular;
-      }
-      store_motions(solved.motion, f, out.row[v][m]);
-      out.added_resistance[v][m][f] =
-          static_cast<float>(added_resistance(hull, resistance, solved, out.speeds[v]));
-      work.encounter[v][f] = {solved.encounter_frequency, solved.low_encounter};
+    set_wave(hull, out.omega[f], mu, work.sections[f], has_diffraction ? &work.diffraction[f] : nullptr,
+             work.wave);
+    if (const Status solved = solve_wave(hull, m, f, work, out); !solved) {
+      return solved;
     }
   }
-  const std::size_t n = out.num_frequencies;
   const DirectionWaves waves{std::span(out.omega).first(n), std::span(work.sections).first(n),
                              std::span(work.diffraction).first(has_diffraction ? n : 0)};
   const bool rolls = m > 0 && m + 1 < kNumSolvedDirections;  // waves from astern and ahead do not
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     out.peak[v][m].clear();
-    if (rolls &&
-        !solve_roll_peak(hull, resonances[v], out.speeds[v], mu, waves, std::span(work.encounter[v]).first(n),
-                         std::span(work.load[v]).first(n), out.peak[v][m])) {
+    if (rolls && !solve_roll_peak(hull, work.ship, work.resonance[v], work.terms[v], mu, waves,
+                                  std::span(work.encounter[v]).first(n), std::span(work.load[v]).first(n),
+                                  work.wave, out.peak[v][m])) {
       return Error::kSingular;
     }
   }
@@ -101,9 +111,10 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
   out.roll_damping = hull.roll_damping;
   out.critical_roll_damping = 2.0 * hull.restoring.c44 / hull.roll_natural_frequency;
   std::copy(speeds.begin(), speeds.end(), out.speeds.begin());
-  std::array<RollResonance, kMaxSpeeds> resonances{};
+  work.ship = ship_terms(hull);
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
-    resonances[v] = roll_resonance(hull, out.speeds[v]);
+    work.terms[v] = {out.speeds[v], reference_roll_damping(hull.roll_damping, out.speeds[v])};
+    work.resonance[v] = roll_resonance(hull, out.speeds[v]);
     out.roll_update[v] = roll_update(hull, out.speeds[v], out.encounter_floor[0]);
   }
   if (hull.method.loads == DiffractionLoads::kHaskind) {
@@ -113,7 +124,7 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
   }
   list_empirical_resistance(hull, out);
   for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
-    if (const Status solved = solve_direction(hull, m, resonances, work, out); !solved) {
+    if (const Status solved = solve_direction(hull, m, work, out); !solved) {
       return solved;
     }
   }

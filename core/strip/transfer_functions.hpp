@@ -16,7 +16,7 @@
 #include "core/strip/roll_damping.hpp"
 #include "core/strip/roll_peak.hpp"
 #include "core/strip/roll_update.hpp"
-#include "core/strip/wave_loads.hpp"
+#include "core/strip/wave_at_speeds.hpp"
 
 namespace quickstrip {
 
@@ -32,8 +32,12 @@ struct MotionRow {
 struct TransferWorkspace {
   std::array<SectionWaves, kMaxFrequencies> sections{};
   std::array<SectionDiffraction, kMaxFrequencies> diffraction{};
-  std::array<std::array<std::array<Complex, 6>, kMaxFrequencies>, kMaxSpeeds> load{};
+  std::array<std::array<LateralLoad, kMaxFrequencies>, kMaxSpeeds> load{};
   std::array<std::array<Encounter, kMaxFrequencies>, kMaxSpeeds> encounter{};
+  ShipTerms ship;
+  std::array<RollResonance, kMaxSpeeds> resonance{};
+  std::array<SpeedTerms, kMaxSpeeds> terms{};
+  WaveWork wave;
 };
 
 /// Added resistance per metre of wave amplitude squared [N/m2], + aft, by wave frequency.

@@ -6,23 +6,18 @@
 #include "core/sea/dispersion.hpp"
 #include "core/strip/boundary_value.hpp"
 #include "core/strip/froude_krilov.hpp"
+#include "core/strip/wave_sums.hpp"
 
 namespace quickstrip {
 namespace {
 
 constexpr Complex kI(0.0, 1.0);
 
-// Values of g at the hull's very ends, beyond the first and the last section by the tapers.
-struct EndValues {
-  Complex aft;
-  Complex fore;
-};
-
 // Weights that turn values g(x_i) into the integral of a_x g over the length, given the a_i: the sum of a_i
 // times the result. Summation by parts of the trapezoidal rule; at an end without taper a jumps, which end
 // terms include.
-void slope_weights(const LoadedHull& hull, const ComplexSectionValues& g, const EndValues& end,
-                   ComplexSectionValues& out) {
+void slope_weights(const LoadedHull& hull, const AlongHull& along, ComplexSectionValues& out) {
+  const ComplexSectionValues& g = along.at;
   const std::size_t last = hull.num_sections - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const Complex before = i > 0 ? 0.5 * (g[i - 1] + g[i]) : Complex(0.0);
@@ -30,41 +25,11 @@ void slope_weights(const LoadedHull& hull, const ComplexSectionValues& g, const 
     out[i] = before - after;
   }
   if (hull.taper_aft > 0.0 || hull.method.end_terms) {
-    out[0] += 0.5 * (g[0] + end.aft);
+    out[0] += 0.5 * (g[0] + along.aft);
   }
   if (hull.taper_fore > 0.0 || hull.method.end_terms) {
-    out[last] -= 0.5 * (g[last] + end.fore);
+    out[last] -= 0.5 * (g[last] + along.fore);
   }
-}
-
-// Two partial sums, in a fixed order: half the latency of one.
-Complex dot(const LoadedHull& hull, const SectionValues& a, const ComplexSectionValues& q) {
-  Complex even = 0.0;
-  Complex odd = 0.0;
-  std::size_t i = 0;
-  for (; i + 1 < hull.num_sections; i += 2) {
-    even += a[i] * q[i];
-    odd += a[i + 1] * q[i + 1];
-  }
-  if (i < hull.num_sections) {
-    even += a[i] * q[i];
-  }
-  return even + odd;
-}
-
-// Diffraction load of coefficients a, b under the velocity gathered in Q and R (formulas §6):
-// ordinary  a zdd + (b - V a_x) zd,  modified  (a + V b_x/(omega omega_e)) zdd + ((omega/omega_e) b - V a_x)
-// zd, with zdd = i omega zd: the wave frequency, not the frequency of encounter.
-Complex diffraction(const LoadedHull& hull, const SectionValues& a, const SectionValues& b,
-                    const ComplexSectionValues& velocity, const ComplexSectionValues& velocity_slope,
-                    double omega, double omega_e, double speed) {
-  const Complex inertia = kI * omega * dot(hull, a, velocity);
-  const Complex slope = speed * dot(hull, a, velocity_slope);
-  const Complex drag = dot(hull, b, velocity);
-  if (hull.method.variant == StripVariant::kOrdinary) {
-    return inertia + drag - slope;
-  }
-  return inertia + omega / omega_e * drag - slope + kI * speed / omega_e * dot(hull, b, velocity_slope);
 }
 
 // Of each section's place: crest there, and beyond the ends of the tapers.
@@ -85,24 +50,10 @@ void phases(const LoadedHull& hull, double k, EncounterAngle mu, Phases& out) {
   out.on_fore = std::polar(1.0, -along * hull.taper_fore);
 }
 
-// Weighted velocities, plain and times x, and their weights against a slope. `at`: orbital velocity by
-// section.
-void set_velocity(const LoadedHull& hull, const Phases& phase, const ComplexSectionValues& at,
-                  std::array<ComplexSectionValues, 2>& velocity,
-                  std::array<ComplexSectionValues, 2>& velocity_slope) {
-  // At the ends of the tapers: the end section's wave, further on its way.
-  const std::size_t last = hull.num_sections - 1;
-  const double x_aft = hull.x[0] - hull.taper_aft;
-  const double x_fore = hull.x[last] + hull.taper_fore;
-  const EndValues end{phase.on_aft * at[0], phase.on_fore * at[last]};
-  ComplexSectionValues times_x;
-  for (std::size_t i = 0; i < hull.num_sections; ++i) {
-    times_x[i] = hull.x[i] * at[i];
-    velocity[0][i] = hull.weight[i] * at[i];
-    velocity[1][i] = hull.weight[i] * times_x[i];
-  }
-  slope_weights(hull, at, end, velocity_slope[0]);
-  slope_weights(hull, times_x, {x_aft * end.aft, x_fore * end.fore}, velocity_slope[1]);
+// At the ends of the tapers: the end section's wave, further on its way.
+void set_ends(const LoadedHull& hull, const Phases& phase, AlongHull& velocity) {
+  velocity.aft = phase.on_aft * velocity.at[0];
+  velocity.fore = phase.on_fore * velocity.at[hull.num_sections - 1];
 }
 
 // The orbital velocity at the surface made that of an equivalent motion, by section. A slope then acts on the
@@ -121,7 +72,7 @@ void scale_velocity(const LoadedHull& hull, const ComplexSectionValues& factor,
 void set_longitudinal(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
                       const SectionDiffraction* diffraction, WaveField& out) {
   const bool is_solved = diffraction != nullptr && hull.method.loads == DiffractionLoads::kBoundaryValue;
-  ComplexSectionValues velocity;
+  AlongHull velocity;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const double x = hull.x[i];
     const Complex weighted = hull.weight[i] * phase.at[i];
@@ -131,14 +82,15 @@ void set_longitudinal(const LoadedHull& hull, const Phases& phase, const Section
     out.froude_krilov[2] += x3;
     out.froude_krilov[4] += -x * x3 - hull.centroid_below_g[i] * x1;
     const double factor = is_solved ? 1.0 : sections.heave_factor[i];
-    velocity[i] = kI * out.omega * factor * phase.at[i];  // zd_3 = i omega factor
+    velocity.at[i] = kI * out.omega * factor * phase.at[i];  // zd_3 = i omega factor
     if (diffraction != nullptr && !is_solved) {
       const Complex dx3 = weighted * phase.sin_mu * phase.sin_mu * diffraction->heave[i];
       out.beam_correction[2] += dx3;
       out.beam_correction[4] -= x * dx3;
     }
   }
-  set_velocity(hull, phase, velocity, out.heave_velocity, out.heave_velocity_slope);
+  set_ends(hull, phase, velocity);
+  weigh_velocity(hull, velocity, out.heave_velocity, out.heave_velocity_slope);
   if (is_solved) {
     scale_velocity(hull, diffraction->heave, out.heave_velocity, out.heave_velocity_slope);
   }
@@ -147,7 +99,7 @@ void set_longitudinal(const LoadedHull& hull, const Phases& phase, const Section
 void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
                  const SectionDiffraction* diffraction, WaveField& out) {
   const bool is_solved = diffraction != nullptr && hull.method.loads == DiffractionLoads::kBoundaryValue;
-  ComplexSectionValues velocity;
+  AlongHull velocity;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const double x = hull.x[i];
     const Complex weighted = hull.weight[i] * phase.at[i];
@@ -157,7 +109,7 @@ void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves
     out.froude_krilov[5] += x * x2;
     // zd_2 = i omega (-i sin mu factor).
     const double factor = is_solved ? 1.0 : sections.horizontal_factor[i];
-    velocity[i] = out.omega * phase.sin_mu * factor * phase.at[i];
+    velocity.at[i] = out.omega * phase.sin_mu * factor * phase.at[i];
     if (diffraction != nullptr && !is_solved) {
       const Complex dx2 = weighted * phase.sin_mu * diffraction->sway[i];
       out.beam_correction[1] += dx2;
@@ -165,7 +117,8 @@ void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves
       out.beam_correction[5] += x * dx2;
     }
   }
-  set_velocity(hull, phase, velocity, out.sway_velocity, out.sway_velocity_slope);
+  set_ends(hull, phase, velocity);
+  weigh_velocity(hull, velocity, out.sway_velocity, out.sway_velocity_slope);
   if (is_solved) {
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
       out.roll_velocity[i] = out.sway_velocity[0][i] * diffraction->roll[i];
@@ -182,44 +135,23 @@ void start_field(double omega, EncounterAngle mu, WaveField& out) {
   out.beam_correction = {};
 }
 
-// Oblique weight of the sway, yaw and roll corrections: empirical, chosen on the S-175 (formulas §6).
-double oblique_weight(const WaveField& field, double omega_e) {
-  return std::min(1.0, std::fabs(omega_e) / field.omega);
-}
-
-// The correction is a diffraction load, so its lever is that of [STF1970], x + V / (i omega_e). With the
-// oblique weight it stays finite where omega_e vanishes.
-Complex speed_lever(double omega_e, double speed) {
-  return speed / (kI * omega_e);
-}
-
-bool is_corrected(const LoadedHull& hull) {
-  return hull.method.loads == DiffractionLoads::kHaskind &&
-         hull.method.beam_loads == BeamLoads::kRadiatedWave;
-}
-
-void add_lateral_loads(const LoadedHull& hull, const WaveField& field, const SectionHydrodynamics& section,
-                       double omega_e, double speed, std::array<Complex, 6>& load) {
-  const auto sway = [&](std::size_t n, StripQuantity a, StripQuantity b) {
-    return diffraction(hull, section[a], section[b], field.sway_velocity[n], field.sway_velocity_slope[n],
-                       field.omega, omega_e, speed);
-  };
-  std::array<Complex, 3> diffracted = {sway(0, kA22, kB22), sway(0, kA24, kB24), sway(1, kA22, kB22)};
-  if (hull.method.loads == DiffractionLoads::kBoundaryValue) {
-    diffracted[1] += diffraction(hull, section[kA22], section[kB22], field.roll_velocity,
-                                 field.roll_velocity_slope, field.omega, omega_e, speed);
-  }
-  const double weight = oblique_weight(field, omega_e);
-  for (std::size_t n = 0; n < 3; ++n) {
-    const std::size_t i = 2 * n + 1;
-    load[i] = field.froude_krilov[i] + diffracted[n] + weight * field.beam_correction[i];
-  }
-  if (is_corrected(hull)) {
-    load[5] += weight * speed_lever(omega_e, speed) * field.beam_correction[1];
-  }
-}
-
 }  // namespace
+
+void weigh_velocity(const LoadedHull& hull, const AlongHull& velocity,
+                    std::array<ComplexSectionValues, 2>& weighted,
+                    std::array<ComplexSectionValues, 2>& against_slope) {
+  const std::size_t last = hull.num_sections - 1;
+  AlongHull times_x;
+  for (std::size_t i = 0; i <= last; ++i) {
+    times_x.at[i] = hull.x[i] * velocity.at[i];
+    weighted[0][i] = hull.weight[i] * velocity.at[i];
+    weighted[1][i] = hull.weight[i] * times_x.at[i];
+  }
+  times_x.aft = (hull.x[0] - hull.taper_aft) * velocity.aft;
+  times_x.fore = (hull.x[last] + hull.taper_fore) * velocity.fore;
+  slope_weights(hull, velocity, against_slope[0]);
+  slope_weights(hull, times_x, against_slope[1]);
+}
 
 bool section_diffraction(const LoadedHull& hull, double omega, EncounterAngle mu, SectionDiffraction& out) {
   switch (hull.method.loads) {
@@ -276,29 +208,14 @@ void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveFie
 
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
                                   const SectionHydrodynamics& section, double omega_e, double speed) {
-  const auto heave = [&](std::size_t n) {
-    return diffraction(hull, section[kA33], section[kB33], field.heave_velocity[n],
-                       field.heave_velocity_slope[n], field.omega, omega_e, speed);
-  };
-  std::array<Complex, 6> load{};
-  load[0] = field.froude_krilov[0];
-  load[2] = field.froude_krilov[2] + heave(0) + field.beam_correction[2];
-  load[4] = field.froude_krilov[4] - heave(1) + field.beam_correction[4];
-  if (is_corrected(hull)) {
-    // Heave's square root over omega needs a second guard of the long-wave limit.
-    const double kb = wave_number(field.omega, hull.gravity) * hull.breadth / 0.2;
-    load[4] -= oblique_weight(field, omega_e) * speed_lever(omega_e, speed) * (1.0 - std::exp(-kb * kb)) *
-               field.beam_correction[2];
-  }
-  add_lateral_loads(hull, field, section, omega_e, speed, load);
-  return load;
-}
-
-std::array<Complex, 6> lateral_wave_loads(const LoadedHull& hull, const WaveField& field,
-                                          const SectionHydrodynamics& section, double omega_e, double speed) {
-  std::array<Complex, 6> load{};
-  add_lateral_loads(hull, field, section, omega_e, speed, load);
-  return load;
+  WaveColumns columns;
+  arrange(hull, field, nullptr, columns);
+  WaveSums sums;
+  sum_up(hull, columns, section, sums);
+  const std::array<Pair, 6> load = loads_of(hull, columns, sums, omega_e, speed);
+  std::array<Complex, 6> out{};
+  std::transform(load.begin(), load.end(), out.begin(), [](Pair x) { return complex_of(x); });
+  return out;
 }
 
 }  // namespace quickstrip

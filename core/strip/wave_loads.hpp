@@ -21,6 +21,13 @@ namespace quickstrip {
 using Complex = std::complex<double>;
 using ComplexSectionValues = std::array<Complex, kMaxStations>;
 
+/// A quantity by section and at the hull's very ends, beyond them by the tapers.
+struct AlongHull {
+  ComplexSectionValues at;
+  Complex aft;
+  Complex fore;
+};
+
 /// What is known of a restrained section's diffraction, at one wave frequency:
 ///  kHaskind: corrections of the loads at mu = 90 degrees and V = 0, crest at the section [N/m2, N/m], roll
 ///    about G (formulas §6); of every direction alike;
@@ -73,6 +80,13 @@ void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const S
 void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
                         const SectionDiffraction* diffraction, WaveField& out);
 
+/// Velocities times the trapezoidal weight, plain and times x, and their weights against the slope of a
+/// coefficient: the integral of a_x g over the length is the sum of a_i times the weights of g. By parts; at
+/// an end without taper a jumps, which end terms include.
+void weigh_velocity(const LoadedHull& hull, const AlongHull& velocity,
+                    std::array<ComplexSectionValues, 2>& weighted,
+                    std::array<ComplexSectionValues, 2>& against_slope);
+
 /// All of one wave alone, as the hull's method has it (about 20 us).
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveField& out);
 
@@ -80,9 +94,5 @@ void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveFie
 /// [m/s].
 std::array<Complex, 6> wave_loads(const LoadedHull& hull, const WaveField& field,
                                   const SectionHydrodynamics& section, double omega_e, double speed);
-
-/// Sway, roll and yaw alone, the others zero; of a lateral field and the first four quantities of `section`.
-std::array<Complex, 6> lateral_wave_loads(const LoadedHull& hull, const WaveField& field,
-                                          const SectionHydrodynamics& section, double omega_e, double speed);
 
 }  // namespace quickstrip
