@@ -16,11 +16,15 @@
 
 namespace quickstrip {
 
+/// Whether the file is as it was written: it ends with the digest of its events. True where there is none, or
+/// an empty one. The status: it cannot be read, or is no such file at all.
+FileStatus look_at_state(const std::filesystem::path& path, const std::string& prefix, bool& is_whole);
+
 FileStatus write_kept_inputs(const std::filesystem::path& path, const std::string& prefix,
                              const KeptInputs& kept, const limits_t& limits);
 
-/// Gives the session what the file holds, as restored at `now`; what is refused is left out. Without a file:
-/// nothing, and no error. `num_restored` counts the kinds.
+/// Gives the session what the file holds, as restored at `now`; what is refused is left out. Without a file,
+/// or with a damaged one: nothing, and no error. `num_restored` counts the kinds.
 FileStatus restore_inputs(const std::filesystem::path& path, const std::string& prefix, std::int64_t now,
                           Session& session, int& num_restored);
 

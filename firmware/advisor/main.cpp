@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "firmware/advisor/live.hpp"
+#include "firmware/advisor/standard_streams.hpp"
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
@@ -87,9 +88,9 @@ const HullTable* load_table(const std::string& file, const Hull& hull) {
     return nullptr;
   }
   require(read_hull_table(file, hull, table_words, hull_table));
-  fmt::print(stderr, "{}: hull table {:016x}, {} from {:g} to {:g} m; by {}\n", printable(file, 1000),
-             hull_table->checksum(), levels(hull_table->num_levels()), hull_table->level(0),
-             hull_table->level(hull_table->num_levels() - 1), provenance_text(*hull_table));
+  tell("{}: hull table {:016x}, {} from {:g} to {:g} m; by {}", printable(file, 1000), hull_table->checksum(),
+       levels(hull_table->num_levels()), hull_table->level(0),
+       hull_table->level(hull_table->num_levels() - 1), provenance_text(*hull_table));
   return &*hull_table;
 }
 
@@ -109,8 +110,8 @@ void compare_limits(const Options& options, Session& session) {
   Sentence change;
   add_limits_difference(*before, session.limits(), change);
   session.note_limits_change(options.author, change.view());
-  fmt::print(stderr, "limits changed by {}: {}\n",
-             options.author.empty() ? "somebody who is not named" : options.author, change.view());
+  tell("limits changed by {}: {}", options.author.empty() ? "somebody who is not named" : options.author,
+       change.view());
 }
 
 void run(Options& options) {
@@ -135,7 +136,10 @@ void run(Options& options) {
     // With log time the age is judged when the first QS_TIME comes: everything passes here.
     const std::int64_t now = options.session.log_clock ? INT64_MAX : wall_utime();
     require(restore_inputs(options.state, options.prefix, now, *session, num_restored));
-    fmt::print(stderr, "{}: {} inputs restored\n", options.state, num_restored);
+    bool is_whole = true;
+    require(look_at_state(options.state, options.prefix, is_whole));
+    tell("{}: {} inputs restored{}", options.state, num_restored,
+         is_whole ? "" : ": the file is damaged, nothing of it is used");
     compare_limits(options, *session);
     keeper = std::make_unique<InputKeeper>(options.state, options.prefix, session->limits());
   }
@@ -144,18 +148,19 @@ void run(Options& options) {
     throw InputError{"--url: " + options.url + ": LCM cannot open it (udpm:// needs a multicast route)"};
   }
   const auto live = std::make_unique<Live>(bus, options.prefix, *session, options.session, keeper.get());
-  fmt::print(stderr, "quickstrip-advisor {}: {} on {}, clock {}, a cycle every {} s\n", QUICKSTRIP_VERSION,
-             files->hull.name.view(), options.url, options.clock, options.session.cycle_period_s);
+  tell("quickstrip-advisor {}: {} on {}, clock {}, a cycle every {} s", QUICKSTRIP_VERSION,
+       files->hull.name.view(), options.url, options.clock, options.session.cycle_period_s);
   if (!live->run(stop_asked)) {
     throw InputError{"--url: " + options.url + ": LCM has failed"};
   }
-  fmt::print(stderr, "stopped\n");
+  tell("stopped");
 }
 
 }  // namespace
 
 // Only an option named twice could throw outside run_tool(): at every start, so never on board.
 int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
+  hold_standard_streams();
   std::signal(SIGINT, [](int) { stop_asked = true; });
   std::signal(SIGTERM, [](int) { stop_asked = true; });
   CLI::App app("Onboard seakeeping advisor: what the ship will do on every course and speed, each cycle",

@@ -87,23 +87,26 @@ std::vector<std::string> FaultTest::usual_options() const {
   return {"--hull", hull_file_, "--url", url_, "--cycle-s", cycle_s, "--ensemble-per-cycle", "0"};
 }
 
-void FaultTest::start(const std::vector<std::string>& more, const std::vector<std::string>& environment) {
-  Start how;
+bool FaultTest::try_start(Start how) {
+  const std::vector<std::string> more = std::move(how.options);
   how.options = usual_options();
   how.options.insert(how.options.end(), more.begin(), more.end());
-  how.environment = environment;
+  while (bus_->handleTimeout(0) > 0) {  // of the run before
+  }
   last_seq_ = 0;
   recent_.clear();
   advice_ = advice_t{};
   health_ = health_t{};
-  ASSERT_TRUE(advisor_.start(how)) << advisor_.journal();
+  return advisor_.start(how);
+}
+
+void FaultTest::start(const std::vector<std::string>& more, const std::vector<std::string>& environment) {
+  ASSERT_TRUE(try_start({more, environment})) << advisor_.journal();
 }
 
 void FaultTest::start_with_journal_on(int fd) {
-  Start how;
-  how.options = usual_options();
-  how.journal_fd = fd;
-  ASSERT_TRUE(advisor_.start(how));
+  ASSERT_TRUE(try_start({{}, {}, fd}));
+  ASSERT_TRUE(until([this] { return num_advices_ > 0; }));
 }
 
 std::int64_t FaultTest::now() const {

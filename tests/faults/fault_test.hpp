@@ -31,8 +31,10 @@ class FaultTest : public testing::Test {
 
   /// Options that every start has: hull, bus, cycle of 0.1 s.
   [[nodiscard]] std::vector<std::string> usual_options() const;
+  /// `how` with more options. False: it ended before it was on the bus.
+  bool try_start(Start how);
   void start(const std::vector<std::string>& more = {}, const std::vector<std::string>& environment = {});
-  /// Any standard error.
+  /// Any standard error. Returns when it speaks.
   void start_with_journal_on(int fd);
 
   /// The advisor's clock, as far as the test moves it.

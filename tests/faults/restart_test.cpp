@@ -140,7 +140,7 @@ TEST_F(Restart, KilledInTheMiddleOfWritingTheFileBeforeIsStillThere) {
     LogEvent event;
     while (log.next(event)) {
     }
-    ASSERT_EQ(log.num_events(), 3U) << "limits, spectrum and own ship";
+    ASSERT_EQ(log.num_events(), 4U) << "limits, spectrum, own ship, digest";
     ASSERT_EQ(log.num_faults(), 0U);
   }
   std::size_t num_files = 0;
