@@ -6,6 +6,7 @@
 
 #include "core/advice/quality.hpp"
 #include "core/advice/speed_loss.hpp"
+#include "core/hull/physical_range.hpp"
 
 namespace quickstrip {
 namespace {
@@ -42,7 +43,7 @@ Result<SpeedList> list_speeds(const GridDefinition& grid) {
   }
   constexpr double kRounding = 1e-6;  // of a step: knots converted to m/s
   const double range = grid.speed_to - grid.speed_from;
-  if (range > 0.0 && !(grid.speed_step > 0.0)) {
+  if (range > 0.0 && !(grid.speed_step > 0.0 && std::isfinite(grid.speed_step))) {
     return Error::kOutOfRange;
   }
   const double steps = range > 0.0 ? std::floor(range / grid.speed_step + kRounding) : 0.0;
@@ -84,6 +85,12 @@ Status Advisor::configure(const Hull& hull, const Criteria& criteria, const Stri
 }
 
 Status Advisor::build(const Loading& loading) {
+  if (const Status status = check_physical_range(hull_); !status) {
+    return status;
+  }
+  if (const Status status = check_physical_range(loading, hull_.lpp); !status) {
+    return status;
+  }
   if (const Status status = load(hull_, loading, method_, loaded_, table_); !status) {
     return status;
   }

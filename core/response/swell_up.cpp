@@ -41,7 +41,7 @@ Result<Entrance> entrance_of(const Hull& hull, const Loading& loading) {
   const double reached = kReached * greatest;
   double ahead = end == foremost ? half_breadth(end) : 0.0;
   std::size_t i = end;
-  while (i > 0 && ahead < reached) {
+  while (i > 0 && ahead < reached) {  // bounded: i falls each time
     const double y = half_breadth(i - 1);
     if (y >= reached) {
       const double part = (reached - ahead) / (y - ahead);

@@ -97,6 +97,7 @@ class Division {
 void Division::choose_candidates(std::size_t num_basins) {
   std::fill(work_.parent.begin(), work_.parent.end(), kNoBasin);
   const auto end = work_.energy.begin() + static_cast<std::ptrdiff_t>(num_basins);
+  // bounded: counts to a constant
   for (num_candidates_ = 0; num_candidates_ < kMaxCandidates; ++num_candidates_) {
     const auto best = std::max_element(work_.energy.begin(), end);
     if (best == end || !(*best > 0.0)) {

@@ -119,9 +119,12 @@ void Watershed::sort_cells() {
     work_.basin[cell] = kNoBasin;
   }
   const auto end = work_.order.begin() + static_cast<std::ptrdiff_t>(num_cells_);
-  std::sort(work_.order.begin(), end, [this](std::uint16_t a, std::uint16_t b) {
+  const auto is_before = [this](std::uint16_t a, std::uint16_t b) {
     return work_.height[a] != work_.height[b] ? work_.height[a] > work_.height[b] : a < b;
-  });
+  };
+  // By heap: std::sort calls itself. The order is total, so any sort gives this one.
+  std::make_heap(work_.order.begin(), end, is_before);
+  std::sort_heap(work_.order.begin(), end, is_before);
 }
 
 // All placed cells are higher: the cell joins the basin of the highest around it, or founds one.

@@ -176,6 +176,7 @@ Status bind_table(const Hull& hull, const Loading& loading, const HullTable* tab
   }
   std::size_t station = 0;  // sections are stations, those out of the water left out
   for (std::size_t i = 0; i < out.num_sections; ++i) {
+    // bounded: each section is one of the stations, in their order
     while (hull.stations[station].x < out.immersed[i].x) {
       ++station;
     }

@@ -167,7 +167,7 @@ void choose_frequencies(const LoadedHull& hull, TransferFunctions& out) {
   double sum = 0.0;
   for (std::size_t i = 0; i < kSteps; ++i) {
     const double share = share_of(i);
-    for (; f + 1 < kMaxFrequencies; ++f) {
+    for (; f + 1 < kMaxFrequencies; ++f) {  // bounded: f only grows
       const double wanted = whole * static_cast<double>(f) / static_cast<double>(kMaxFrequencies - 1);
       if (wanted > sum + share) {
         break;
