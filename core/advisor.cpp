@@ -209,7 +209,7 @@ void Advisor::place_zones(const OwnShip& ship, const MeasuredMotion* motion) {
 NoAdvice Advisor::advise(const StepInputs& step) {
   const OwnShip& ship = *step.own_ship;
   output_.quality = hull_quality(loaded_, loading_) | depth_quality(ship.water_depth, sea_, loading_) |
-                    (ship.speed_over_ground ? kQualitySpeedOverGround : 0u);
+                    (ship.speed_over_ground ? kQualitySpeedOverGround : std::uint32_t{0});
   is_stabilised_ = ship.is_stabilised;
   place_zones(ship, step.motion);
   const GridInputs inputs = grid_inputs(output_.quality);

@@ -42,7 +42,7 @@ std::uint32_t hull_quality(const LoadedHull& loaded, const Loading& loading) {
 }
 
 std::uint32_t speed_quality(double speed, double lpp, double gravity) {
-  return speed > kHighFroude * std::sqrt(gravity * lpp) ? kQualityHighFroude : 0u;
+  return speed > kHighFroude * std::sqrt(gravity * lpp) ? kQualityHighFroude : std::uint32_t{0};
 }
 
 std::uint32_t depth_quality(std::optional<double> depth, const SeaEnergy& sea, const Loading& loading) {
@@ -52,7 +52,8 @@ std::uint32_t depth_quality(std::optional<double> depth, const SeaEnergy& sea, c
   const double period = energy_mean_peak_period(sea);
   const double for_waves = loading.gravity * period * period / (2.0 * kTwoPi);
   const double for_ship = kDeepDraughts * std::max(loading.draught_aft, loading.draught_fwd);
-  return *depth >= std::max(for_waves, for_ship) ? 0u : kQualityShallowWater;  // NaN is not deep
+  return *depth >= std::max(for_waves, for_ship) ? std::uint32_t{0}
+                                                 : kQualityShallowWater;  // NaN is not deep
 }
 
 }  // namespace quickstrip
