@@ -128,4 +128,32 @@ class HeldInput {
   InputCounters counters_;
 };
 
+/// In the place of a HeldInput that a profile of capacities has no room for: nothing comes, nothing is held.
+template <typename Message, typename Value>
+class AbsentInput {
+ public:
+  void forget() { counters_ = {}; }
+  template <typename Convert>
+  Conversion accept(const Message& /*message*/, std::int64_t /*now*/, InputUse /*use*/,
+                    double /*future_tolerance_s*/, const Convert& /*convert*/) {
+    const Conversion conversion{Refusal::kNotReady, "", -1};
+    counters_.count(conversion);
+    return conversion;
+  }
+  [[nodiscard]] Fitness fitness(std::int64_t /*now*/, double /*limit_s*/, double /*future_tolerance_s*/,
+                                const FitnessReasons& reasons) const {
+    return {.reason = reasons.missing};
+  }
+  [[nodiscard]] bool is_measured() const { return false; }
+  [[nodiscard]] const Message& message() const { return kNoMessage; }
+  [[nodiscard]] const Value& value() const { return kNoValue; }
+  [[nodiscard]] const InputCounters& counters() const { return counters_; }
+  [[nodiscard]] UsedInput used() const { return {InputUse::kNone, 0, 0, 0}; }
+
+ private:
+  static constexpr Message kNoMessage{};  // constants: they cost flash, not RAM
+  static constexpr Value kNoValue{};
+  InputCounters counters_;
+};
+
 }  // namespace quickstrip

@@ -41,8 +41,7 @@ Status Session::configure(const Hull& hull, const Criteria& criteria, const Sess
   // Inputs need a while to come in after a start: no alert on their absence before they would be stale.
   alerts_.configure(options.source_id, options.stale_after.own_ship_s);
   queries_.clear();
-  predicted_.forget();
-  comparison_ = Comparison{};
+  forget_predicted();
   is_comparison_due_ = false;
   uncertainty_ = StatedUncertainty{};
   output_ = nullptr;
@@ -175,9 +174,7 @@ void Session::cycle(std::int64_t now, Outbox& outbox) {
   send_limits_change(now, outbox);
   fill_advice(now, *output_, fitness, sea_in_force);
   send(OutChannel::kAdvice, advice_, outbox);
-  to_message(output_->grid, limits_.digest, grid_);
-  stamp(grid_, now);
-  send(OutChannel::kGrid, grid_, outbox);
+  send_grid(now, outbox);
   send_outlook(now, outbox);
   send_responses(now, outbox);
   send_comparison(now, outbox);

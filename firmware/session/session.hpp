@@ -4,6 +4,7 @@
 // Demands of its caller: one thread; time as an argument (microseconds since the epoch; the bridge's clock or
 // a log's); after a cycle, `rebuild` when it is due. No heap after configure(), no bus, no clock, no file:
 // the same messages in the same order at the same times give the same bytes. Memory about 8 MB: static.
+// In the profile of capacities m7 it sends advice, limits, alerts, logbook and health only.
 //
 // A new loading: one cycle says "no advice, because the loading has changed", then the hull is rebuilt (well
 // below a second), and the next cycle gives advice for it. A loading that the hull cannot float in gives no
@@ -17,7 +18,6 @@
 #include <span>
 #include <string_view>
 
-#include "core/advice/comparison.hpp"
 #include "core/advice/step.hpp"
 #include "core/advisor.hpp"
 #include "core/base/name.hpp"
@@ -26,20 +26,17 @@
 #include "core/strip/method.hpp"
 #include "firmware/session/alerts.hpp"
 #include "firmware/session/inputs.hpp"
+#include "firmware/session/large_messages.hpp"
 #include "firmware/session/outbox.hpp"
 #include "msgs/convert/encode.hpp"
-#include "msgs/convert/response_message.hpp"
 #include "quickstrip/advice_t.hpp"
 #include "quickstrip/clock_t.hpp"
-#include "quickstrip/comparison_t.hpp"
 #include "quickstrip/grid_t.hpp"
 #include "quickstrip/health_t.hpp"
 #include "quickstrip/limits_t.hpp"
 #include "quickstrip/logbook_t.hpp"
 #include "quickstrip/motion_t.hpp"
-#include "quickstrip/outlook_t.hpp"
 #include "quickstrip/query_t.hpp"
-#include "quickstrip/response_t.hpp"
 #include "quickstrip/sea_forecast_t.hpp"
 
 namespace quickstrip {
@@ -107,7 +104,7 @@ class Session {
   void rebuild();
 
   [[nodiscard]] const advice_t& advice() const { return advice_; }
-  [[nodiscard]] const grid_t& grid() const { return grid_; }
+  [[nodiscard]] const grid_t& grid() const;  // not in the profile m7
   [[nodiscard]] const limits_t& limits() const { return limits_; }
   /// What the core gave in the last cycle; nullptr before the first.
   [[nodiscard]] const StepOutput* output() const { return output_; }
@@ -123,6 +120,9 @@ class Session {
   void fill_advice(std::int64_t now, const StepOutput& output, const Fitness& fitness, Input sea_in_force);
   void send_limits(std::int64_t now, Outbox& outbox);
   void send_limits_change(std::int64_t now, Outbox& outbox);
+  // session_large.cpp; in the profile m7 they do nothing, session_small.cpp
+  void forget_predicted();
+  void send_grid(std::int64_t now, Outbox& outbox);
   void send_responses(std::int64_t now, Outbox& outbox);
   void answer(const Query& query, std::int64_t now, Outbox& outbox);
   void send_outlook(std::int64_t now, Outbox& outbox);
@@ -141,25 +141,19 @@ class Session {
   Inputs inputs_;
   Alerts alerts_;
   StaticVector<Query, 8> queries_;
-  CellResponse asked_;
   StatedUncertainty uncertainty_;  // of the last cycle
-  PredictedMotion predicted_;
-  Comparison comparison_;
   bool is_comparison_due_ = false;
   const StepOutput* output_ = nullptr;  // the advisor's
   std::int64_t hull_digest_ = 0;
   std::int64_t table_checksum_ = 0;
 
   advice_t advice_{};
-  grid_t grid_{};
-  response_t response_{};
   limits_t limits_{};
   logbook_t limits_change_{};
   bool is_limits_change_due_ = false;
   health_t health_{};
-  outlook_t outlook_{};
-  comparison_t comparison_message_{};
-  std::array<std::uint8_t, kMaxMessageBytes> bytes_{};
+  LargeMessages large_;
+  std::array<std::uint8_t, kSessionBufferBytes> bytes_{};
 
   std::int32_t cycle_ = 0;
   std::int32_t response_seq_ = 0;

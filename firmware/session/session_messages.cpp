@@ -5,11 +5,8 @@
 #include "firmware/session/repeat.hpp"
 #include "firmware/session/session.hpp"
 #include "msgs/convert/advice_message.hpp"
-#include "msgs/convert/comparison_message.hpp"
 #include "msgs/convert/digest.hpp"
 #include "msgs/convert/grid_message.hpp"
-#include "msgs/convert/outlook_message.hpp"
-#include "msgs/convert/response_message.hpp"
 #include "msgs/convert/text.hpp"
 #include "msgs/convert/units.hpp"
 
@@ -89,65 +86,6 @@ void Session::send_limits_change(std::int64_t now, Outbox& outbox) {
   ++limits_change_.seq;
   limits_change_.source_id = options_.source_id;
   send(OutChannel::kLogbook, limits_change_, outbox);
-}
-
-void Session::send_responses(std::int64_t now, Outbox& outbox) {
-  if (output_->advice.no_advice == NoAdvice::kNone) {
-    to_message(output_->present, *hull_, criteria_, limits_.digest, response_);
-    response_.query_id = 0;
-    response_.query_source_id = 0;
-  } else {
-    to_refusal({.id = 0, .source_id = 0, .heading = {}, .speed = 0.0}, Refusal::kNotReady, response_);
-  }
-  stamp(response_, now);
-  send(OutChannel::kResponse, response_, outbox);
-  for (const Query& query : queries_) {
-    answer(query, now, outbox);
-  }
-  queries_.clear();
-}
-
-void Session::answer(const Query& query, std::int64_t now, Outbox& outbox) {
-  const Status status = advisor_.respond_at(query.heading, query.speed, asked_);
-  if (status) {
-    to_message(asked_, *hull_, criteria_, limits_.digest, response_);
-    response_.query_id = query.id;
-    response_.query_source_id = query.source_id;
-  } else {
-    const bool is_outside = status.error() == Error::kSpeedOutOfGrid;
-    to_refusal(query, is_outside ? Refusal::kSpeedOutsideGrid : Refusal::kNotReady, response_);
-  }
-  stamp(response_, now);
-  send(OutChannel::kResponse, response_, outbox);
-}
-
-void Session::send_outlook(std::int64_t now, Outbox& outbox) {
-  to_message(*output_, criteria_, uncertainty_.assumed, outlook_);
-  stamp(outlook_, now);
-  outlook_.limits_digest = limits_.digest;
-  send(OutChannel::kOutlook, outlook_, outbox);
-}
-
-void Session::send_comparison(std::int64_t now, Outbox& outbox) {
-  if (output_->advice.no_advice == NoAdvice::kNone) {
-    predicted_.note(seconds_between(0, now), output_->present);
-  }
-  if (!is_comparison_due_ || inputs_.motion(now) == nullptr) {
-    return;
-  }
-  is_comparison_due_ = false;
-  const motion_t& motion = inputs_.motion_message();
-  const auto systems = std::span(output_->systems).first(output_->num_systems);
-  predicted_.compare(*inputs_.motion(now), *hull_, seconds_between(0, motion.utime),
-                     height_deviation(uncertainty_.of, systems), comparison_);
-  to_message(comparison_, *hull_, motion.window_s, comparison_message_);
-  comparison_message_.utime = motion.utime;
-  ++comparison_message_.seq;
-  comparison_message_.source_id = options_.source_id;
-  comparison_message_.motion_source_id = motion.source_id;
-  comparison_message_.motion_seq = motion.seq;
-  send(OutChannel::kComparison, comparison_message_, outbox);
-  alerts_.follow(comparison_message_, now);
 }
 
 void Session::send_alerts(std::int64_t now, Outbox& outbox) {

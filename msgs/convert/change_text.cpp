@@ -174,7 +174,7 @@ void add_turn(const Change& change, const Cell& present, const Criteria& criteri
   }
   out.add(": ");
   if (turn.max_roll > 0.0F) {
-    out.add("{}° roll likely, ", std::round(degrees(static_cast<double>(turn.max_roll))));
+    out.add("{:.0f}° roll likely, ", std::round(degrees(static_cast<double>(turn.max_roll))));
   }
   if (static_cast<double>(turn.time_exceeded) >= kTimeWorthSaying_s) {
     add_duration(static_cast<double>(turn.time_exceeded), out);
