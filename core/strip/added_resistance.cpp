@@ -86,15 +86,12 @@ void resistance_wave(const LoadedHull& hull, double omega, EncounterAngle mu, co
                      ResistanceWave& out) {
   out.omega = omega;
   out.mu = mu;
-  const double along = wave_number(omega, hull.gravity) * std::cos(mu.radians);
+  elevation_along(hull, omega, mu, out.elevation);
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
-    out.elevation.at[i] = std::polar(1.0, -along * hull.x[i]);
     out.velocity.at[i] = Complex(0.0, omega * sections.heave_factor[i]) * out.elevation.at[i];
   }
   // At the ends of the tapers: the end section's wave, further on its way.
   const std::size_t last = hull.num_sections - 1;
-  out.elevation.aft = std::polar(1.0, -along * aft_end(hull));
-  out.elevation.fore = std::polar(1.0, -along * fore_end(hull));
   out.velocity.aft = Complex(0.0, omega * sections.heave_factor[0]) * out.elevation.aft;
   out.velocity.fore = Complex(0.0, omega * sections.heave_factor[last]) * out.elevation.fore;
 }

@@ -146,10 +146,13 @@ ShipTerms ship_terms(const LoadedHull& hull) {
   return out;
 }
 
-FlooredEncounter encounter_of(const LoadedHull& hull, double omega, EncounterAngle mu, double speed) {
+MetWave met_wave(const LoadedHull& hull, double omega, EncounterAngle mu) {
+  return {omega, wave_number(omega, hull.gravity) * std::cos(mu.radians), encounter_floor(hull, omega)};
+}
+
+FlooredEncounter MetWave::at(double speed) const {
   FlooredEncounter out;
-  const double floor = encounter_floor(hull, omega);
-  out.encounter.frequency = encounter_frequency(omega, wave_number(omega, hull.gravity), speed, mu);
+  out.encounter.frequency = omega - k_cos_mu * speed;
   out.encounter.is_low = std::fabs(out.encounter.frequency) < floor;
   out.floored = floored_frequency(out.encounter.frequency, floor);
   return out;
@@ -195,7 +198,7 @@ double encounter_floor(const LoadedHull& hull, double omega) {
 
 MotionTransfer motions_under_load(const LoadedHull& hull, double omega, EncounterAngle mu, double speed,
                                   const std::array<Complex, 6>& load, double roll_damping) {
-  const FlooredEncounter met = encounter_of(hull, omega, mu, speed);
+  const FlooredEncounter met = met_wave(hull, omega, mu).at(speed);
   MotionTransfer out;
   out.encounter_frequency = met.encounter.frequency;
   out.low_encounter = met.encounter.is_low;
@@ -210,7 +213,7 @@ MotionTransfer motions_under_load(const LoadedHull& hull, double omega, Encounte
 
 MotionTransfer motion_transfer(const LoadedHull& hull, const WaveField& field, double speed,
                                std::array<Complex, 6>& load) {
-  const FlooredEncounter met = encounter_of(hull, field.omega, field.mu, speed);
+  const FlooredEncounter met = met_wave(hull, field.omega, field.mu).at(speed);
   MotionTransfer out;
   out.encounter_frequency = met.encounter.frequency;
   out.low_encounter = met.encounter.is_low;

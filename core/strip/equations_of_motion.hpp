@@ -24,7 +24,16 @@ struct FlooredEncounter {
   Encounter encounter;
   double floored = 0.0;  // signed, at least the floor [rad/s]
 };
-FlooredEncounter encounter_of(const LoadedHull& hull, double omega, EncounterAngle mu, double speed);
+
+/// One wave, met at any speed.
+struct MetWave {
+  double omega = 0.0;
+  double k_cos_mu = 0.0;
+  double floor = 0.0;  // encounter_floor()
+
+  [[nodiscard]] FlooredEncounter at(double speed) const;
+};
+MetWave met_wave(const LoadedHull& hull, double omega, EncounterAngle mu);
 
 /// Of the ship herself: inertia, restoring, and surge, which does not depend on frequency.
 struct ShipTerms {

@@ -44,9 +44,8 @@ double turn_between(const LoadedHull& hull, EncounterAngle mu, double omega, dou
   return 0.5 * hull.lpp * std::fabs(change * std::cos(mu.radians));
 }
 
-LateralLoad lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu,
-                                  double speed, std::size_t interval, double omega, double omega_e,
-                                  WaveWork& work) {
+void set_lateral_wave_between(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu,
+                              std::size_t interval, double omega, WaveWork& work) {
   QS_CHECK(waves.omega.size() >= kStencil && waves.sections.size() == waves.omega.size());
   const Cubic cubic = cubic_at(waves.omega, interval, omega);
   const std::size_t n = hull.num_sections;
@@ -69,11 +68,14 @@ LateralLoad lateral_loads_between(const LoadedHull& hull, const DirectionWaves& 
     interpolate(cubic, n, part(&SectionDiffraction::roll), diffraction.roll);
   }
   lateral_wave_field(hull, omega, mu, sections, has_diffraction ? &diffraction : nullptr, work.field);
-  SectionHydrodynamics hydrodynamics;
-  section_hydrodynamics(hull, omega_e, hydrodynamics);
   arrange_lateral(hull, work.field, work.columns);
-  sum_up_lateral(hull, work.columns, hydrodynamics, work.sums);
-  const std::array<Pair, 6> load = lateral_loads_of(hull, work.columns, work.sums, omega_e, speed);
+  work.nodes.forget();
+}
+
+LateralLoad lateral_load(const LoadedHull& hull, double omega_e, double speed, WaveWork& work) {
+  WaveSums& sums = work.sums[0];
+  work.nodes.lateral_at(hull, work.columns, node_stencil(hull, omega_e), omega_e, sums);
+  const std::array<Pair, 6> load = lateral_loads_of(hull, work.columns, sums, omega_e, speed);
   return {complex_of(load[1]), complex_of(load[3]), complex_of(load[5])};
 }
 

@@ -30,10 +30,11 @@ struct DirectionWaves {
 /// How far the wave at the ends of the ship turns against midships from one frequency to the next [rad].
 double turn_between(const LoadedHull& hull, EncounterAngle mu, double omega, double next_omega);
 
-/// At omega between frequency `interval` and the next;
-/// omega_e signed, not zero, above the floor.
-LateralLoad lateral_loads_between(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu,
-                                  double speed, std::size_t interval, double omega, double omega_e,
-                                  WaveWork& work);
+/// The wave of omega between frequency `interval` and the next, worked out for any speed.
+void set_lateral_wave_between(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu,
+                              std::size_t interval, double omega, WaveWork& work);
+
+/// Of that wave; omega_e signed, not zero, above the floor.
+LateralLoad lateral_load(const LoadedHull& hull, double omega_e, double speed, WaveWork& work);
 
 }  // namespace quickstrip

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/pair_functions.hpp"
 #include "core/strip/loaded_hull.hpp"
 
 namespace quickstrip {
@@ -17,26 +18,35 @@ void length_integrals(const LoadedHull& hull, const SectionHydrodynamics& sectio
   }
 }
 
-bool node_stencil(const LoadedHull& hull, double omega_e, NodeStencil& out) {
-  const double log_omega = std::log(std::fabs(omega_e));
-  if (!(log_omega >= hull.log_omega.front() && log_omega <= hull.log_omega.back())) {
-    return false;
+std::array<NodeStencil, 2> node_stencils(const LoadedHull& hull, Pair omega_e) {
+  constexpr std::size_t kLast = kNumEncounterNodes - 1;
+  const double lowest = hull.log_omega.front();
+  const double highest = hull.log_omega.back();
+  const Pair log_omega = logarithm(magnitude(omega_e));
+  const Pair place = (log_omega - lowest) * (static_cast<double>(kLast) / (highest - lowest));
+  std::array<NodeStencil, 2> out;
+  for (int l = 0; l < 2; ++l) {
+    NodeStencil& at = out[static_cast<std::size_t>(l)];
+    at.is_inside = log_omega[l] >= lowest && log_omega[l] <= highest;
+    if (!at.is_inside) {
+      continue;
+    }
+    // Nodes are even: the middle one is the nearest, kept off both ends, and u the place from it in steps.
+    const auto middle = std::clamp<std::size_t>(static_cast<std::size_t>(place[l] + 0.5), 1, kLast - 1);
+    const double u = place[l] - static_cast<double>(middle);
+    at.first = middle - 1;
+    at.weight = {0.5 * u * (u - 1.0), (1.0 - u) * (1.0 + u), 0.5 * u * (u + 1.0)};
   }
-  // Nodes are even: the middle one is the nearest, kept off both ends, and u the place from it in steps.
-  constexpr auto kLast = static_cast<double>(kNumEncounterNodes - 1);
-  const double place =
-      (log_omega - hull.log_omega.front()) * kLast / (hull.log_omega.back() - hull.log_omega.front());
-  const auto middle =
-      std::clamp<std::size_t>(static_cast<std::size_t>(place + 0.5), 1, kNumEncounterNodes - 2);
-  const double u = place - static_cast<double>(middle);
-  out.first = middle - 1;
-  out.weight = {0.5 * u * (u - 1.0), (1.0 - u) * (1.0 + u), 0.5 * u * (u + 1.0)};
-  return true;
+  return out;
+}
+
+NodeStencil node_stencil(const LoadedHull& hull, double omega_e) {
+  return node_stencils(hull, both(omega_e))[0];
 }
 
 void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out) {
-  NodeStencil s;
-  if (!node_stencil(hull, omega_e, s)) {
+  const NodeStencil s = node_stencil(hull, omega_e);
+  if (!s.is_inside) {
     SectionHydrodynamics section;
     section_hydrodynamics(hull, omega_e, section);
     length_integrals(hull, section, out);

@@ -295,8 +295,8 @@ void set_roll_damping_ratio(LoadedHull& hull, double ratio) {
 
 void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out) {
   const double omega = std::fabs(omega_e);
-  NodeStencil s;
-  if (!node_stencil(hull, omega, s)) {
+  const NodeStencil s = node_stencil(hull, omega);
+  if (!s.is_inside) {
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
       table_hydrodynamics(hull, i, omega, out);
     }
@@ -308,8 +308,8 @@ void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrod
 }
 
 void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, SectionValues& b33) {
-  NodeStencil s;
-  if (!node_stencil(hull, omega_e, s)) {
+  const NodeStencil s = node_stencil(hull, omega_e);
+  if (!s.is_inside) {
     SectionHydrodynamics all;
     section_hydrodynamics(hull, omega_e, all);
     a33 = all[kA33];

@@ -17,6 +17,7 @@
 
 #include "core/base/capacity.hpp"
 #include "core/base/check.hpp"
+#include "core/base/pair.hpp"
 #include "core/base/result.hpp"
 #include "core/hull/hull.hpp"
 #include "core/hull/hydrostatics.hpp"
@@ -149,12 +150,14 @@ void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, S
 void length_integrals(const LoadedHull& hull, double omega_e, LengthIntegrals& out);
 
 /// Where |omega_e| lies among the nodes: the parabola's three, in increasing order, and their weights.
-/// False: outside of them.
 struct NodeStencil {
   std::size_t first = 0;
   std::array<double, 3> weight{};
+  bool is_inside = false;  // else the rest means nothing
 };
-bool node_stencil(const LoadedHull& hull, double omega_e, NodeStencil& out);
+NodeStencil node_stencil(const LoadedHull& hull, double omega_e);
+/// Of two frequencies.
+std::array<NodeStencil, 2> node_stencils(const LoadedHull& hull, Pair omega_e);
 
 /// Three sets of integrals and their weights.
 struct LengthStencil {

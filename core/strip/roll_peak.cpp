@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/check.hpp"
-#include "core/base/interpolation.hpp"
 #include "core/sea/dispersion.hpp"
 #include "core/strip/equations_of_motion.hpp"
 #include "core/strip/roll_admittance.hpp"
@@ -40,15 +39,14 @@ struct Sight {
   double gain = 0.0;   // the same times the share of roll that may come from here
 };
 
-Sight sight_of(const RollResonance& resonance, double speed, EncounterAngle mu, double gravity, double from,
-               double to, const Encounter& at_from, const Encounter& at_to) {
+// omega_e is a parabola of omega, its slope 1 - bend omega: steepest at an end, its extreme may lie between.
+Sight sight_of(const RollResonance& resonance, double bend, double from, double to, const Encounter& at_from,
+               const Encounter& at_to) {
   const double we0 = at_from.frequency;
   const double we1 = at_to.frequency;
   if (at_from.is_low || at_to.is_low || (we0 < 0.0) != (we1 < 0.0)) {
     return {};
   }
-  // omega_e is a parabola of omega: its steepest slope is at an end, its extreme may lie between.
-  const double bend = 2.0 * speed * std::cos(mu.radians) / gravity;
   const double slope0 = 1.0 - bend * from;
   const double slope1 = 1.0 - bend * to;
   double lowest = std::min(std::fabs(we0), std::fabs(we1));
@@ -149,6 +147,20 @@ void place_points(std::span<const double> omega, const Panels& panels, RollPeak&
   }
 }
 
+void place_peak(const LoadedHull& hull, EncounterAngle mu, std::span<const double> omega,
+                const PeakSpeed& speed) {
+  QS_CHECK(speed.encounters.size() == omega.size() && speed.loads.size() == omega.size());
+  const std::array<double, kMaxFrequencies> share = roll_shares(omega, speed.loads);
+  const double bend = 2.0 * speed.terms.speed * std::cos(mu.radians) / hull.gravity;
+  std::array<Sight, kMaxFrequencies> sights{};
+  for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
+    sights[j] =
+        sight_of(speed.resonance, bend, omega[j], omega[j + 1], speed.encounters[j], speed.encounters[j + 1]);
+    sights[j].gain = sights[j].area * largest_near(std::span(share).first(omega.size()), j);
+  }
+  place_points(omega, choose_panels(sights), *speed.out);
+}
+
 // Frequencies first ... first + count - 1 around the interval from j: up to six, all on its side of the
 // encounter-frequency floor, where the loads have a kink.
 constexpr std::size_t kMostNodes = 6;
@@ -175,40 +187,96 @@ Stencil stencil_around(std::span<const Encounter> row, std::size_t j) {
   return {first, last - first + 1};
 }
 
-// Lagrange through the frequencies of the stencil.
-LateralLoad load_between(std::span<const double> omega, std::span<const LateralLoad> loads,
-                         const Stencil& stencil, double at) {
-  std::array<double, kMostNodes> weight{};
-  lagrange_weights(omega.subspan(stencil.first, stencil.count), at, weight);
-  LateralLoad load{};
+// Loads at the points of an interval: Lagrange through the frequencies of the stencil.
+void interpolate_loads(std::span<const double> omega, const PeakSpeed& speed, const PeakInterval& interval) {
+  const Stencil stencil = stencil_around(speed.encounters, interval.node);
+  std::array<double, kMostNodes> by_distances{};
   for (std::size_t i = 0; i < stencil.count; ++i) {
-    for (std::size_t k = 0; k < load.size(); ++k) {
-      load[k] += weight[i] * loads[stencil.first + i][k];
+    double product = 1.0;
+    for (std::size_t n = 0; n < stencil.count; ++n) {
+      product *= n == i ? 1.0 : omega[stencil.first + i] - omega[stencil.first + n];
+    }
+    by_distances[i] = 1.0 / product;
+  }
+  for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
+    const auto at = static_cast<double>(speed.out->omega[p]);
+    LateralLoad load{};
+    for (std::size_t i = 0; i < stencil.count; ++i) {
+      double weight = by_distances[i];
+      for (std::size_t n = 0; n < stencil.count; ++n) {
+        weight *= n == i ? 1.0 : at - omega[stencil.first + n];
+      }
+      for (std::size_t k = 0; k < load.size(); ++k) {
+        load[k] += weight * speed.loads[stencil.first + i][k];
+      }
+    }
+    speed.at_points[p] = load;
+  }
+}
+
+// The interval from wave frequency j, or null.
+const PeakInterval* interval_at(const RollPeak& peak, std::size_t j) {
+  const auto* const found = std::find_if(peak.intervals.begin(), peak.intervals.end(),
+                                         [j](const PeakInterval& i) { return i.node == j; });
+  return found == peak.intervals.end() ? nullptr : found;
+}
+
+// Loads at the points of the intervals from wave frequency j, section by section. Speeds that have as many
+// panels there have their points at the same frequencies: each is one wave.
+void sum_loads(const LoadedHull& hull, const DirectionWaves& waves, EncounterAngle mu, std::size_t j,
+               std::span<const PeakSpeed> speeds, WaveWork& work) {
+  std::array<const PeakInterval*, kMaxSpeeds> interval{};
+  for (std::size_t v = 0; v < speeds.size(); ++v) {
+    interval[v] = interval_at(*speeds[v].out, j);
+  }
+  for (std::size_t v = 0; v < speeds.size(); ++v) {
+    if (interval[v] == nullptr) {
+      continue;
+    }
+    const std::size_t count = interval[v]->count;
+    for (std::size_t p = 0; p < count; ++p) {
+      const auto omega = static_cast<double>(speeds[v].out->omega[interval[v]->first + p]);
+      set_lateral_wave_between(hull, waves, mu, j, omega, work);
+      const double k_cos_mu = wave_number(omega, hull.gravity) * std::cos(mu.radians);
+      for (std::size_t u = v; u < speeds.size(); ++u) {
+        if (interval[u] != nullptr && interval[u]->count == count) {
+          const double speed = speeds[u].terms.speed;
+          speeds[u].at_points[interval[u]->first + p] =
+              lateral_load(hull, omega - k_cos_mu * speed, speed, work);
+        }
+      }
+    }
+    for (std::size_t u = v + 1; u < speeds.size(); ++u) {  // done
+      if (interval[u] != nullptr && interval[u]->count == count) {
+        interval[u] = nullptr;
+      }
     }
   }
-  return load;
 }
 
 // Sway, roll and yaw at every point, two at a time. False: one is not finite.
-bool solve_points(const LoadedHull& hull, const ShipTerms& ship, const SpeedTerms& terms, EncounterAngle mu,
-                  std::span<const LateralLoad> loads, RollPeak& out) {
-  std::array<LengthIntegrals, 2> outside;
+bool solve_points(const LoadedHull& hull, const ShipTerms& ship, EncounterAngle mu, const PeakSpeed& speed,
+                  std::array<LengthIntegrals, 2>& outside) {
+  RollPeak& out = *speed.out;
   bool finite = true;
+  MotionPair at{};
+  at.speed = both(speed.terms.speed);
   for (std::size_t first = 0; first < out.num_points; first += 2) {
-    MotionPair at{};
     ThreePair load;
     const std::array<std::size_t, 2> points = {first, std::min(first + 1, out.num_points - 1)};
     for (std::size_t l = 0; l < 2; ++l) {
       const auto omega = static_cast<double>(out.omega[points[l]]);
-      at.omega_e[l] = encounter_of(hull, omega, mu, terms.speed).floored;
-      at.integrals[l] = length_stencil(hull, at.omega_e[l], outside[l]);
+      at.omega_e[l] = met_wave(hull, omega, mu).at(speed.terms.speed).floored;
       for (std::size_t r = 0; r < 3; ++r) {
-        load[r].re[l] = loads[points[l]][r].real();
-        load[r].im[l] = loads[points[l]][r].imag();
+        load[r].re[l] = speed.at_points[points[l]][r].real();
+        load[r].im[l] = speed.at_points[points[l]][r].imag();
       }
     }
-    at.speed = both(terms.speed);
-    const ThreePair motion = solve_lateral(ship, at, both(terms.roll_damping), load);
+    const std::array<NodeStencil, 2> nodes = node_stencils(hull, at.omega_e);
+    for (std::size_t l = 0; l < 2; ++l) {
+      at.integrals[l] = length_stencil(hull, nodes[l], at.omega_e[l], outside[l]);
+    }
+    const ThreePair motion = solve_lateral(ship, at, both(speed.terms.roll_damping), load);
     for (std::size_t l = 0; l < 2; ++l) {
       for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
         const Complex value = lane(motion[i], static_cast<int>(l));
@@ -245,35 +313,27 @@ RollResonance roll_resonance(const LoadedHull& hull, double speed) {
   return {omega, std::isfinite(width) ? std::clamp(width, kLeastHalfWidth * omega, widest) : widest};
 }
 
-bool solve_roll_peak(const LoadedHull& hull, const ShipTerms& ship, const RollResonance& resonance,
-                     const SpeedTerms& terms, EncounterAngle mu, const DirectionWaves& waves,
-                     std::span<const Encounter> encounters, std::span<const LateralLoad> loads,
-                     WaveWork& work, RollPeak& out) {
-  const double speed = terms.speed;
+bool solve_roll_peaks(const LoadedHull& hull, const ShipTerms& ship, EncounterAngle mu,
+                      const DirectionWaves& waves, std::span<const PeakSpeed> speeds, WaveWork& work) {
   const std::span<const double> omega = waves.omega;
-  QS_CHECK(omega.size() >= 4 && omega.size() <= kMaxFrequencies && encounters.size() == omega.size() &&
-           loads.size() == omega.size());
-  const std::array<double, kMaxFrequencies> share = roll_shares(omega, loads);
-  std::array<Sight, kMaxFrequencies> sights{};
-  for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
-    sights[j] = sight_of(resonance, speed, mu, hull.gravity, omega[j], omega[j + 1], encounters[j],
-                         encounters[j + 1]);
-    sights[j].gain = sights[j].area * largest_near(std::span(share).first(omega.size()), j);
+  QS_CHECK(omega.size() >= 4 && omega.size() <= kMaxFrequencies && speeds.size() <= kMaxSpeeds);
+  for (const PeakSpeed& speed : speeds) {
+    place_peak(hull, mu, omega, speed);
   }
-  place_points(omega, choose_panels(sights), out);
-  std::array<LateralLoad, kMaxPeakPoints> load;
-  for (const PeakInterval& interval : out.intervals) {
-    const std::size_t j = interval.node;
-    const Stencil stencil = stencil_around(encounters, j);
-    const bool by_section = turn_between(hull, mu, omega[j], omega[j + 1]) > kMostTurn;
-    for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
-      const auto at = static_cast<double>(out.omega[p]);
-      const double met = encounter_frequency(at, wave_number(at, hull.gravity), speed, mu);
-      load[p] = by_section ? lateral_loads_between(hull, waves, mu, speed, j, at, met, work)
-                           : load_between(omega, loads, stencil, at);
+  for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
+    if (turn_between(hull, mu, omega[j], omega[j + 1]) > kMostTurn) {
+      sum_loads(hull, waves, mu, j, speeds, work);
+      continue;
+    }
+    for (const PeakSpeed& speed : speeds) {
+      if (const PeakInterval* const interval = interval_at(*speed.out, j); interval != nullptr) {
+        interpolate_loads(omega, speed, *interval);
+      }
     }
   }
-  return solve_points(hull, ship, terms, mu, std::span(load).first(out.num_points), out);
+  return std::all_of(speeds.begin(), speeds.end(), [&](const PeakSpeed& speed) {
+    return solve_points(hull, ship, mu, speed, work.outside);
+  });
 }
 
 }  // namespace quickstrip

@@ -65,11 +65,20 @@ struct RollPeak {
 /// that frequency, and its own damping.
 RollResonance roll_resonance(const LoadedHull& hull, double speed);
 
-/// `omega`: the wave frequencies, at least four, increasing; `encounters` and `loads`: there. False: a
-/// solution is not finite.
-[[nodiscard]] bool solve_roll_peak(const LoadedHull& hull, const ShipTerms& ship,
-                                   const RollResonance& resonance, const SpeedTerms& terms, EncounterAngle mu,
-                                   const DirectionWaves& waves, std::span<const Encounter> encounters,
-                                   std::span<const LateralLoad> loads, WaveWork& work, RollPeak& out);
+/// One speed of a direction: encounters and loads at the wave frequencies.
+struct PeakSpeed {
+  SpeedTerms terms;
+  RollResonance resonance;
+  std::span<const Encounter> encounters;
+  std::span<const LateralLoad> loads;
+  std::span<LateralLoad> at_points;  // scratch
+  RollPeak* out = nullptr;
+};
+
+/// All speeds of one direction, for points of several speeds lie at the same wave frequencies. `waves`: at
+/// least four, increasing. False: a solution is not finite.
+[[nodiscard]] bool solve_roll_peaks(const LoadedHull& hull, const ShipTerms& ship, EncounterAngle mu,
+                                    const DirectionWaves& waves, std::span<const PeakSpeed> speeds,
+                                    WaveWork& work);
 
 }  // namespace quickstrip

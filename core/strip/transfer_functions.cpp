@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check.hpp"
+#include "core/base/static_vector.hpp"
 #include "core/sea/dispersion.hpp"
 #include "core/strip/added_resistance.hpp"
 #include "core/strip/boundary_value.hpp"
@@ -52,34 +54,66 @@ Status solve_wave(const LoadedHull& hull, std::size_t m, std::size_t f, Transfer
   return {};
 }
 
+Status solve_peaks(const LoadedHull& hull, std::size_t m, TransferWorkspace& work, TransferFunctions& out) {
+  for (std::size_t v = 0; v < out.num_speeds; ++v) {
+    out.peak[v][m].clear();
+  }
+  if (m == 0 || m + 1 == kNumSolvedDirections) {
+    return {};  // waves from astern and ahead do not roll her
+  }
+  const std::size_t n = out.num_frequencies;
+  const bool has_diffraction = hull.method.loads != DiffractionLoads::kClassic;
+  const DirectionWaves waves{std::span(out.omega).first(n), std::span(work.sections).first(n),
+                             std::span(work.diffraction).first(has_diffraction ? n : 0)};
+  StaticVector<PeakSpeed, kMaxSpeeds> speeds;
+  for (std::size_t v = 0; v < out.num_speeds; ++v) {
+    QS_CHECK(speeds.push_back({work.terms[v], work.resonance[v], std::span(work.encounter[v]).first(n),
+                               std::span(work.load[v]).first(n), work.peak_load[v], &out.peak[v][m]}));
+  }
+  const bool solved = solve_roll_peaks(hull, work.ship, solved_angle(m), waves, speeds.span(), work.wave);
+  return solved ? Status{} : Status{Error::kSingular};
+}
+
 Status solve_direction(const LoadedHull& hull, std::size_t m, TransferWorkspace& work,
                        TransferFunctions& out) {
   const EncounterAngle mu = solved_angle(m);
   const bool has_diffraction = hull.method.loads != DiffractionLoads::kClassic;
   const std::size_t n = out.num_frequencies;
-  if (hull.method.loads == DiffractionLoads::kBoundaryValue) {
-    boundary_value_motions(hull, std::span(out.omega).first(n), mu, work.diffraction);
-  }
   for (std::size_t f = 0; f < n; ++f) {
-    section_waves(hull, out.omega[f], mu, work.sections[f]);
     set_wave(hull, out.omega[f], mu, work.sections[f], has_diffraction ? &work.diffraction[f] : nullptr,
              work.wave);
     if (const Status solved = solve_wave(hull, m, f, work, out); !solved) {
       return solved;
     }
   }
-  const DirectionWaves waves{std::span(out.omega).first(n), std::span(work.sections).first(n),
-                             std::span(work.diffraction).first(has_diffraction ? n : 0)};
-  const bool rolls = m > 0 && m + 1 < kNumSolvedDirections;  // waves from astern and ahead do not
-  for (std::size_t v = 0; v < out.num_speeds; ++v) {
-    out.peak[v][m].clear();
-    if (rolls && !solve_roll_peak(hull, work.ship, work.resonance[v], work.terms[v], mu, waves,
-                                  std::span(work.encounter[v]).first(n), std::span(work.load[v]).first(n),
-                                  work.wave, out.peak[v][m])) {
-      return Error::kSingular;
+  return solve_peaks(hull, m, work, out);
+}
+
+// A direction and the one that mirrors it fore and aft, m and the last less m: what a wave is to a section
+// depends on sin mu, but for the sign of surge.
+Status solve_directions(const LoadedHull& hull, std::size_t m, TransferWorkspace& work,
+                        TransferFunctions& out) {
+  const EncounterAngle mu = solved_angle(m);
+  const std::size_t n = out.num_frequencies;
+  if (hull.method.loads == DiffractionLoads::kBoundaryValue) {
+    boundary_value_motions(hull, std::span(out.omega).first(n), mu, work.diffraction);
+  }
+  for (std::size_t f = 0; f < n; ++f) {
+    section_waves(hull, out.omega[f], mu, work.sections[f]);
+  }
+  if (const Status solved = solve_direction(hull, m, work, out); !solved) {
+    return solved;
+  }
+  const std::size_t mirrored = kNumSolvedDirections - 1 - m;
+  if (mirrored == m) {
+    return {};
+  }
+  for (SectionWaves& sections : std::span(work.sections).first(n)) {
+    for (double& surge : std::span(sections.surge).first(hull.num_sections)) {
+      surge = -surge;
     }
   }
-  return {};
+  return solve_direction(hull, mirrored, work, out);
 }
 
 void list_empirical_resistance(const LoadedHull& hull, TransferFunctions& out) {
@@ -123,8 +157,8 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
     }
   }
   list_empirical_resistance(hull, out);
-  for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
-    if (const Status solved = solve_direction(hull, m, work, out); !solved) {
+  for (std::size_t m = 0; m <= kNumSolvedDirections / 2; ++m) {
+    if (const Status solved = solve_directions(hull, m, work, out); !solved) {
       return solved;
     }
   }

@@ -37,6 +37,7 @@ struct TransferWorkspace {
   ShipTerms ship;
   std::array<RollResonance, kMaxSpeeds> resonance{};
   std::array<SpeedTerms, kMaxSpeeds> terms{};
+  std::array<std::array<LateralLoad, kMaxPeakPoints>, kMaxSpeeds> peak_load{};
   WaveWork wave;
 };
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/sea/dispersion.hpp"
-
 namespace quickstrip {
 namespace {
 
@@ -46,9 +44,9 @@ double radiated_energy(const WaveSums& sums, const LengthStencil& integrals, dou
   return -k_cos_mu / (2.0 * motion.encounter_frequency) * (damped.of(a, b) - speed * swept.of(a, b));
 }
 
-double resistance_of(const LoadedHull& hull, const WaveWork& work, const LengthStencil& integrals,
-                     const SolvedSpeed& solved, double speed) {
-  const double cos_mu = std::cos(work.resistance.mu.radians);
+double resistance_of(const LoadedHull& hull, const WaveWork& work, const WaveSums& sums,
+                     const LengthStencil& integrals, const SolvedSpeed& solved, double speed) {
+  const double cos_mu = work.cos_mu;
   if (!(cos_mu < -kCosineOfBeam)) {
     const double behind = integrated_pressure_resistance(
         hull, work.elevation.of(solved.transfer.motion[2], -solved.transfer.motion[4]), solved.transfer);
@@ -57,8 +55,7 @@ double resistance_of(const LoadedHull& hull, const WaveWork& work, const LengthS
   if (radiated_power_of(hull.method.variant) != RadiatedPower::kPublished) {
     return added_resistance(hull, work.resistance, solved.transfer, speed);
   }
-  const double k_cos_mu = wave_number(work.resistance.omega, hull.gravity) * cos_mu;
-  return radiated_energy(work.sums, integrals, k_cos_mu, solved.transfer, speed);
+  return radiated_energy(sums, integrals, work.met.k_cos_mu, solved.transfer, speed);
 }
 
 }  // namespace
@@ -87,9 +84,9 @@ WaveSumsStencil NodeSums::stencil(const LoadedHull& hull, const WaveColumns& col
   return out;
 }
 
-void NodeSums::at(const LoadedHull& hull, const WaveColumns& columns, double omega_e, WaveSums& out) {
-  NodeStencil nodes;
-  if (node_stencil(hull, omega_e, nodes)) {
+void NodeSums::at(const LoadedHull& hull, const WaveColumns& columns, const NodeStencil& nodes,
+                  double omega_e, WaveSums& out) {
+  if (nodes.is_inside) {
     interpolate(hull, stencil<&sum_up>(hull, columns, nodes), out);
     return;
   }
@@ -98,9 +95,9 @@ void NodeSums::at(const LoadedHull& hull, const WaveColumns& columns, double ome
   sum_up(hull, columns, section, out);
 }
 
-void NodeSums::lateral_at(const LoadedHull& hull, const WaveColumns& columns, double omega_e, WaveSums& out) {
-  NodeStencil nodes;
-  if (node_stencil(hull, omega_e, nodes)) {
+void NodeSums::lateral_at(const LoadedHull& hull, const WaveColumns& columns, const NodeStencil& nodes,
+                          double omega_e, WaveSums& out) {
+  if (nodes.is_inside) {
     interpolate_lateral(hull, stencil<&sum_up_lateral>(hull, columns, nodes), out);
     return;
   }
@@ -109,9 +106,9 @@ void NodeSums::lateral_at(const LoadedHull& hull, const WaveColumns& columns, do
   sum_up_lateral(hull, columns, section, out);
 }
 
-LengthStencil length_stencil(const LoadedHull& hull, double omega_e, LengthIntegrals& outside) {
-  NodeStencil nodes;
-  if (!node_stencil(hull, omega_e, nodes)) {
+LengthStencil length_stencil(const LoadedHull& hull, const NodeStencil& nodes, double omega_e,
+                             LengthIntegrals& outside) {
+  if (!nodes.is_inside) {
     length_integrals(hull, omega_e, outside);
     return {{&outside, &outside, &outside}, {1.0, 0.0, 0.0}};
   }
@@ -121,9 +118,11 @@ LengthStencil length_stencil(const LoadedHull& hull, double omega_e, LengthInteg
 
 void set_wave(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
               const SectionDiffraction* diffraction, WaveWork& work) {
-  wave_field(hull, omega, mu, sections, diffraction, work.field);
   resistance_wave(hull, omega, mu, sections, work.resistance);
+  wave_field(hull, omega, mu, work.resistance.elevation, sections, diffraction, work.field);
   arrange(hull, work.field, &work.resistance, work.columns);
+  work.met = met_wave(hull, omega, mu);
+  work.cos_mu = std::cos(mu.radians);
   work.nodes.forget();
   work.elevation = elevation_sums(hull, work.resistance.elevation);
 }
@@ -132,22 +131,24 @@ std::array<SolvedSpeed, 2> solve_speeds(const LoadedHull& hull, const ShipTerms&
                                         const std::array<SpeedTerms, 2>& speeds, WaveWork& work) {
   std::array<SolvedSpeed, 2> out;
   MotionPair at{};
-  ThreePair vertical;
-  ThreePair lateral;
   std::array<bool, 2> is_forced_to_zero{};
-  std::array<WaveSums, 2> sums;
   for (std::size_t l = 0; l < 2; ++l) {
-    const double speed = speeds[l].speed;
-    const FlooredEncounter met = encounter_of(hull, work.field.omega, work.field.mu, speed);
+    const FlooredEncounter met = work.met.at(speeds[l].speed);
     out[l].transfer.encounter_frequency = met.encounter.frequency;
     out[l].transfer.low_encounter = met.encounter.is_low;
     is_forced_to_zero[l] =
         met.encounter.is_low && hull.method.low_encounter == LowEncounterRule::kPaper;  // [Journee1992] §2
-    at.integrals[l] = length_stencil(hull, met.floored, work.outside[l]);
-    work.nodes.at(hull, work.columns, met.floored, sums[l]);
-    const std::array<Pair, 6> load = loads_of(hull, work.columns, sums[l], met.floored, speed);
     at.omega_e[l] = met.floored;
-    at.speed[l] = speed;
+    at.speed[l] = speeds[l].speed;
+  }
+  const std::array<NodeStencil, 2> nodes = node_stencils(hull, at.omega_e);
+  ThreePair vertical;
+  ThreePair lateral;
+  for (std::size_t l = 0; l < 2; ++l) {
+    const double omega_e = at.omega_e[l];
+    at.integrals[l] = length_stencil(hull, nodes[l], omega_e, work.outside[l]);
+    work.nodes.at(hull, work.columns, nodes[l], omega_e, work.sums[l]);
+    const std::array<Pair, 6> load = loads_of(hull, work.columns, work.sums[l], omega_e, speeds[l].speed);
     for (std::size_t r = 0; r < 3; ++r) {
       vertical[r].re[l] = load[2 * r][0];
       vertical[r].im[l] = load[2 * r][1];
@@ -165,8 +166,8 @@ std::array<SolvedSpeed, 2> solve_speeds(const LoadedHull& hull, const ShipTerms&
         out[l].transfer.motion[2 * r + 1] = lane(lateral[r], static_cast<int>(l));
       }
     }
-    work.sums = sums[l];
-    out[l].added_resistance = resistance_of(hull, work, at.integrals[l], out[l], speeds[l].speed);
+    out[l].added_resistance =
+        resistance_of(hull, work, work.sums[l], at.integrals[l], out[l], speeds[l].speed);
   }
   return out;
 }

@@ -24,9 +24,11 @@ class NodeSums {
   /// The wave is another.
   void forget() { held_.fill(kNone); }
 
-  /// Sums with the coefficients at |omega_e|; all, or sway's alone.
-  void at(const LoadedHull& hull, const WaveColumns& columns, double omega_e, WaveSums& out);
-  void lateral_at(const LoadedHull& hull, const WaveColumns& columns, double omega_e, WaveSums& out);
+  /// Sums with the coefficients at |omega_e|, whose place is `nodes`; all, or sway's alone.
+  void at(const LoadedHull& hull, const WaveColumns& columns, const NodeStencil& nodes, double omega_e,
+          WaveSums& out);
+  void lateral_at(const LoadedHull& hull, const WaveColumns& columns, const NodeStencil& nodes,
+                  double omega_e, WaveSums& out);
 
  private:
   static constexpr std::uint8_t kNone = 255;
@@ -51,17 +53,20 @@ struct SquareSums {
 
 /// Scratch of one wave.
 struct WaveWork {
+  MetWave met;
+  double cos_mu = 0.0;
   WaveField field;
   ResistanceWave resistance;
   WaveColumns columns;
   NodeSums nodes;
-  WaveSums sums;
+  std::array<WaveSums, 2> sums;
   SquareSums elevation;                    // against the slope of the half-breadth
   std::array<LengthIntegrals, 2> outside;  // of frequencies beyond the nodes
 };
 
 /// Where the integrals at |omega_e| are found; beyond the nodes in `outside`, which is filled.
-LengthStencil length_stencil(const LoadedHull& hull, double omega_e, LengthIntegrals& outside);
+LengthStencil length_stencil(const LoadedHull& hull, const NodeStencil& nodes, double omega_e,
+                             LengthIntegrals& outside);
 
 /// `sections` and `diffraction`: of this wave, as wave_field() takes them.
 void set_wave(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,

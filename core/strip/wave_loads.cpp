@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/pair_functions.hpp"
 #include "core/sea/dispersion.hpp"
 #include "core/strip/boundary_value.hpp"
 #include "core/strip/froude_krilov.hpp"
@@ -32,28 +33,11 @@ void slope_weights(const LoadedHull& hull, const AlongHull& along, ComplexSectio
   }
 }
 
-// Of each section's place: crest there, and beyond the ends of the tapers.
-struct Phases {
-  ComplexSectionValues at{};
-  Complex on_aft;   // from the first section on
-  Complex on_fore;  // from the last
-  double sin_mu = 0.0;
-};
-
-void phases(const LoadedHull& hull, double k, EncounterAngle mu, Phases& out) {
-  const double along = k * std::cos(mu.radians);
-  out.sin_mu = std::sin(mu.radians);
-  for (std::size_t i = 0; i < hull.num_sections; ++i) {
-    out.at[i] = std::polar(1.0, -along * hull.x[i]);
-  }
-  out.on_aft = std::polar(1.0, along * hull.taper_aft);
-  out.on_fore = std::polar(1.0, -along * hull.taper_fore);
-}
-
-// At the ends of the tapers: the end section's wave, further on its way.
-void set_ends(const LoadedHull& hull, const Phases& phase, AlongHull& velocity) {
-  velocity.aft = phase.on_aft * velocity.at[0];
-  velocity.fore = phase.on_fore * velocity.at[hull.num_sections - 1];
+// At the ends of the tapers: the end section's wave, further on its way; |elevation| = 1.
+void set_ends(const LoadedHull& hull, const AlongHull& elevation, AlongHull& velocity) {
+  const std::size_t last = hull.num_sections - 1;
+  velocity.aft = velocity.at[0] * std::conj(elevation.at[0]) * elevation.aft;
+  velocity.fore = velocity.at[last] * std::conj(elevation.at[last]) * elevation.fore;
 }
 
 // The orbital velocity at the surface made that of an equivalent motion, by section. A slope then acts on the
@@ -69,55 +53,57 @@ void scale_velocity(const LoadedHull& hull, const ComplexSectionValues& factor,
   }
 }
 
-void set_longitudinal(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
+void set_longitudinal(const LoadedHull& hull, const AlongHull& elevation, const SectionWaves& sections,
                       const SectionDiffraction* diffraction, WaveField& out) {
   const bool is_solved = diffraction != nullptr && hull.method.loads == DiffractionLoads::kBoundaryValue;
   AlongHull velocity;
+  const double sin_mu = std::sin(out.mu.radians);
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const double x = hull.x[i];
-    const Complex weighted = hull.weight[i] * phase.at[i];
+    const Complex weighted = hull.weight[i] * elevation.at[i];
     const Complex x1 = weighted * kI * sections.surge[i] * (1.0 + hull.surge_added_mass_factor);
     const Complex x3 = weighted * sections.heave[i];
     out.froude_krilov[0] += x1;
     out.froude_krilov[2] += x3;
     out.froude_krilov[4] += -x * x3 - hull.centroid_below_g[i] * x1;
     const double factor = is_solved ? 1.0 : sections.heave_factor[i];
-    velocity.at[i] = kI * out.omega * factor * phase.at[i];  // zd_3 = i omega factor
+    velocity.at[i] = kI * out.omega * factor * elevation.at[i];  // zd_3 = i omega factor
     if (diffraction != nullptr && !is_solved) {
-      const Complex dx3 = weighted * phase.sin_mu * phase.sin_mu * diffraction->heave[i];
+      const Complex dx3 = weighted * sin_mu * sin_mu * diffraction->heave[i];
       out.beam_correction[2] += dx3;
       out.beam_correction[4] -= x * dx3;
     }
   }
-  set_ends(hull, phase, velocity);
+  set_ends(hull, elevation, velocity);
   weigh_velocity(hull, velocity, out.heave_velocity, out.heave_velocity_slope);
   if (is_solved) {
     scale_velocity(hull, diffraction->heave, out.heave_velocity, out.heave_velocity_slope);
   }
 }
 
-void set_lateral(const LoadedHull& hull, const Phases& phase, const SectionWaves& sections,
+void set_lateral(const LoadedHull& hull, const AlongHull& elevation, const SectionWaves& sections,
                  const SectionDiffraction* diffraction, WaveField& out) {
   const bool is_solved = diffraction != nullptr && hull.method.loads == DiffractionLoads::kBoundaryValue;
   AlongHull velocity;
+  const double sin_mu = std::sin(out.mu.radians);
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     const double x = hull.x[i];
-    const Complex weighted = hull.weight[i] * phase.at[i];
+    const Complex weighted = hull.weight[i] * elevation.at[i];
     const Complex x2 = weighted * kI * sections.sway[i];
     out.froude_krilov[1] += x2;
     out.froude_krilov[3] += -kI * weighted * sections.roll[i] + (hull.g_height + hull.roll_lever_shift) * x2;
     out.froude_krilov[5] += x * x2;
     // zd_2 = i omega (-i sin mu factor).
     const double factor = is_solved ? 1.0 : sections.horizontal_factor[i];
-    velocity.at[i] = out.omega * phase.sin_mu * factor * phase.at[i];
+    velocity.at[i] = out.omega * sin_mu * factor * elevation.at[i];
     if (diffraction != nullptr && !is_solved) {
-      const Complex dx2 = weighted * phase.sin_mu * diffraction->sway[i];
+      const Complex dx2 = weighted * sin_mu * diffraction->sway[i];
       out.beam_correction[1] += dx2;
-      out.beam_correction[3] += weighted * phase.sin_mu * diffraction->roll[i];
+      out.beam_correction[3] += weighted * sin_mu * diffraction->roll[i];
       out.beam_correction[5] += x * dx2;
     }
   }
-  set_ends(hull, phase, velocity);
+  set_ends(hull, elevation, velocity);
   weigh_velocity(hull, velocity, out.sway_velocity, out.sway_velocity_slope);
   if (is_solved) {
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
@@ -181,21 +167,39 @@ void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, Sect
   }
 }
 
+void elevation_along(const LoadedHull& hull, double omega, EncounterAngle mu, AlongHull& out) {
+  const double along = wave_number(omega, hull.gravity) * std::cos(mu.radians);
+  const std::size_t last = hull.num_sections - 1;
+  for (std::size_t i = 0; i <= last; i += 2) {
+    const std::size_t next = std::min(i + 1, last);
+    const SinCos at = sin_cos(-along * pair_of(hull.x[i], hull.x[next]));
+    out.at[i] = {at.cos[0], at.sin[0]};
+    out.at[next] = {at.cos[1], at.sin[1]};
+  }
+  out.aft = complex_of(turn(-along * (hull.x[0] - hull.taper_aft)));
+  out.fore = complex_of(turn(-along * (hull.x[last] + hull.taper_fore)));
+}
+
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const AlongHull& elevation,
+                const SectionWaves& sections, const SectionDiffraction* diffraction, WaveField& out) {
+  start_field(omega, mu, out);
+  set_longitudinal(hull, elevation, sections, diffraction, out);
+  set_lateral(hull, elevation, sections, diffraction, out);
+}
+
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
                 const SectionDiffraction* diffraction, WaveField& out) {
-  Phases phase;
-  phases(hull, wave_number(omega, hull.gravity), mu, phase);
-  start_field(omega, mu, out);
-  set_longitudinal(hull, phase, sections, diffraction, out);
-  set_lateral(hull, phase, sections, diffraction, out);
+  AlongHull elevation;
+  elevation_along(hull, omega, mu, elevation);
+  wave_field(hull, omega, mu, elevation, sections, diffraction, out);
 }
 
 void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
                         const SectionDiffraction* diffraction, WaveField& out) {
-  Phases phase;
-  phases(hull, wave_number(omega, hull.gravity), mu, phase);
+  AlongHull elevation;
+  elevation_along(hull, omega, mu, elevation);
   start_field(omega, mu, out);
-  set_lateral(hull, phase, sections, diffraction, out);
+  set_lateral(hull, elevation, sections, diffraction, out);
 }
 
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, WaveField& out) {

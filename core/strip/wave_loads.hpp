@@ -73,12 +73,18 @@ bool section_diffraction(const LoadedHull& hull, double omega, EncounterAngle mu
 
 void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out);
 
+/// e^{-i k x cos mu}: the wave along the hull, crest at G. omega > 0 [rad/s].
+void elevation_along(const LoadedHull& hull, double omega, EncounterAngle mu, AlongHull& out);
+
 /// `diffraction` as the hull's method has it, or null: loads by equivalent motions alone. The two halves are
 /// independent: surge, heave and pitch; sway, roll and yaw.
 void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
                 const SectionDiffraction* diffraction, WaveField& out);
 void lateral_wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const SectionWaves& sections,
                         const SectionDiffraction* diffraction, WaveField& out);
+/// The same with elevation_along() given.
+void wave_field(const LoadedHull& hull, double omega, EncounterAngle mu, const AlongHull& elevation,
+                const SectionWaves& sections, const SectionDiffraction* diffraction, WaveField& out);
 
 /// Velocities times the trapezoidal weight, plain and times x, and their weights against the slope of a
 /// coefficient: the integral of a_x g over the length is the sum of a_i times the weights of g. By parts; at
