@@ -45,6 +45,12 @@ EnergyBand& add_band(SeaEnergy& out) {
 
 namespace {
 
+void drop_least(std::span<double> values) {
+  for (double& value : values) {
+    value = std::fabs(value) < kLeastEnergy ? 0.0 : value;
+  }
+}
+
 void set_bounds(std::size_t num_frequencies, EnergyBand& band) {
   band.first = num_frequencies;
   band.last = 0;
@@ -101,6 +107,17 @@ void transform_factors(SystemEnergy& system) {
 }  // namespace
 
 void complete(double m0, double on_nodes, SeaEnergy& out) {
+  for (EnergyBand& band : std::span(out.band).first(out.num_bands)) {
+    drop_least(band.node);
+    for (DensityTerms& terms : band.density) {
+      drop_least(terms);
+    }
+  }
+  for (SystemEnergy& part : std::span(out.part).first(out.num_systems)) {
+    for (DirectionWeights& factor : std::span(part.factor).subspan(part.first, part.count)) {
+      drop_least(factor);
+    }
+  }
   for (std::size_t b = 0; b < out.num_bands; ++b) {
     set_bounds(out.num_frequencies, out.band[b]);
   }
@@ -109,7 +126,7 @@ void complete(double m0, double on_nodes, SeaEnergy& out) {
     transform_factors(out.part[s]);
   }
   out.hs = significant_wave_height(m0);
-  out.lost_tail = std::clamp(1.0 - on_nodes / m0, 0.0, 1.0);
+  out.lost_tail = m0 > 0.0 ? std::clamp(1.0 - on_nodes / m0, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace quickstrip

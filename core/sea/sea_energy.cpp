@@ -13,6 +13,9 @@ namespace {
 
 // One band, scaled to the spectrum's m0. Returns the energy on the nodes before scaling.
 double place_spectrum(const Spectrum& spectrum, std::span<const double> omega, EnergyBand& band) {
+  if (spectrum.m0 < kLeastEnergy) {
+    return spectrum.m0;  // flat water: nothing to scale by
+  }
   const std::span<double> energies(band.node.data(), omega.size());
   hat_energies(spectrum, omega, energies);
   double on_nodes = 0.0;

@@ -12,6 +12,7 @@
 #include "core/advice/nordforsk.hpp"
 #include "core/advisor.hpp"
 #include "sim/hull_table/compile_hull_table.hpp"
+#include "tests/bench/cycle_case.hpp"
 #include "tests/bench/machine_peak.hpp"
 #include "tests/bench/sweep_work.hpp"
 #include "tests/support/hulls.hpp"
@@ -19,81 +20,11 @@
 namespace quickstrip {
 namespace {
 
+using bench::Case;
+using bench::every_response;
+using bench::make_case;
+
 constexpr double kKnot = 1852.0 / 3600.0;
-
-SeaState sea_of(std::size_t num_systems) {
-  SeaState sea;
-  for (std::size_t s = 0; s < num_systems; ++s) {
-    const auto i = static_cast<double>(s);
-    static_cast<void>(sea.systems.push_back({3.0 - 0.3 * i, 7.0 + 2.0 * i, PeriodKind::kPeak,
-                                             WaveFrom{radians(220.0 + 35.0 * i)}, radians(30.0 - 3.0 * i),
-                                             SpectrumShape::kJonswap, 3.3}));
-  }
-  return sea;
-}
-
-// A wave buoy's 47 bands on 72 directions, two crossing systems.
-void fill_measured(DirectionalSpectrum& out) {
-  constexpr std::size_t kBands = 47;
-  for (std::size_t d = 0; d < kNumDirections; ++d) {
-    static_cast<void>(out.directions.push_back(kTwoPi * static_cast<double>(d) / kNumDirections));
-  }
-  for (std::size_t f = 0; f < kBands; ++f) {
-    const double omega = 0.2 + 0.06 * static_cast<double>(f);
-    static_cast<void>(out.frequencies.push_back(omega));
-    for (std::size_t d = 0; d < kNumDirections; ++d) {
-      const double direction = out.directions[d];
-      const auto bump = [&](double peak, double width, double from, double height) {
-        const double x = (omega - peak) / width;
-        return height * std::exp(-x * x) * std::pow(std::cos(0.5 * (direction - from)), 20);
-      };
-      out.density[f][d] = bump(0.5, 0.1, 3.8, 3.0) + bump(0.9, 0.2, 5.2, 1.0);
-    }
-  }
-}
-
-// A criterion never reached for every channel that has none: each is then needed and watched in every cell.
-Criteria every_response(const Hull& hull) {
-  Criteria out = *nordforsk_merchant(hull);
-  const auto add = [&out](Quantity quantity, std::size_t place, Statistic statistic, double limit) {
-    static_cast<void>(out.push_back({.quantity = quantity,
-                                     .place = static_cast<std::uint8_t>(place),
-                                     .statistic = statistic,
-                                     .limit = limit}));
-  };
-  for (const Quantity motion :
-       {Quantity::kSurge, Quantity::kSway, Quantity::kHeave, Quantity::kPitch, Quantity::kYaw}) {
-    add(motion, 0, Statistic::kRms, 1e3);
-  }
-  for (std::size_t p = 0; p < hull.points.size(); ++p) {
-    for (const Quantity acceleration : {Quantity::kLongitudinalAcceleration, Quantity::kLateralAcceleration,
-                                        Quantity::kVerticalAcceleration}) {
-      add(acceleration, p, Statistic::kRms, 1e3);
-    }
-  }
-  return out;
-}
-
-struct Case {
-  Hull hull = test::s175();
-  SeaState sea;
-  DirectionalSpectrum measured;
-  OwnShip ship{Heading{radians(75.0)}, 7.0, false};
-  StepInputs inputs;
-};
-
-std::unique_ptr<Case> make_case(std::size_t num_systems) {
-  auto out = std::make_unique<Case>();
-  out->sea = sea_of(num_systems);
-  fill_measured(out->measured);
-  out->inputs.own_ship = &out->ship;
-  if (num_systems == 0) {
-    out->inputs.spectrum = &out->measured;
-  } else {
-    out->inputs.sea_state = &out->sea;
-  }
-  return out;
-}
 
 double percentile(std::vector<double>& sorted, double share) {
   const auto last = static_cast<double>(sorted.size() - 1);
