@@ -156,6 +156,7 @@ enum class NoAdvice : std::uint8_t {
   kLoadingChanged,  // the hull is being rebuilt for a new loading
   kSpeedOutsideGrid,
   kInternal,
+  kSelfTestFailed,
 };
 
 struct Advice {

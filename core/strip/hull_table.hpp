@@ -105,6 +105,8 @@ class HullTable {
   static Result<HullTable> view(std::span<const std::uint32_t> words);
 
   [[nodiscard]] std::uint64_t checksum() const { return two_words(kWordChecksum); }
+  /// The checksum over the words as they are in memory now.
+  [[nodiscard]] bool is_intact() const { return hull_table_checksum(words_) == checksum(); }
   [[nodiscard]] HullSections sections() const { return HullSections{words_[kWordSections]}; }
   [[nodiscard]] std::size_t num_stations() const { return words_[kWordStations]; }
   [[nodiscard]] std::size_t num_levels() const { return words_[kWordLevels]; }

@@ -14,22 +14,28 @@ constexpr int kMaxFailuresInRow = 10;
 template <typename Message>
 void take(const lcm::ReceiveBuffer& buffer, InboxSlot<Message>& slot) {
   const auto* const bytes = static_cast<const std::uint8_t*>(buffer.data);
-  if (decode(std::span<const std::uint8_t>{bytes, buffer.data_size}, slot.newest.back())) {
-    slot.newest.publish();
-  } else {
+  Message& message = slot.newest.back();
+  if (!decode(std::span<const std::uint8_t>{bytes, buffer.data_size}, message)) {
     slot.malformed.fetch_add(1, std::memory_order_relaxed);
+  } else if (!slot.allowed->admits(slot.input, message.source_id)) {
+    slot.foreign.fetch_add(1, std::memory_order_relaxed);
+  } else {
+    slot.newest.publish();
   }
 }
 
 }  // namespace
 
-Inbox::Inbox(lcm::LCM& bus, const std::string& prefix) : bus_(bus) {
-  subscribe(prefix + "SEA_STATE", sea_state);
-  subscribe(prefix + "WAVE_SPECTRUM", wave_spectrum);
-  subscribe(prefix + "OWN_SHIP", own_ship);
-  subscribe(prefix + "LOADING", loading);
-  subscribe(prefix + "QUERY", query);
-  subscribe(prefix + "ALERT_ACK", acknowledgement);
+Inbox::Inbox(lcm::LCM& bus, const std::string& prefix, const AllowList& allowed)
+    : bus_(bus), allowed_(allowed) {
+  subscribe(prefix + "SEA_STATE", Input::kSeaState, sea_state);
+  subscribe(prefix + "WAVE_SPECTRUM", Input::kWaveSpectrum, wave_spectrum);
+  subscribe(prefix + "OWN_SHIP", Input::kOwnShip, own_ship);
+  subscribe(prefix + "LOADING", Input::kLoading, loading);
+  subscribe(prefix + "QUERY", Input::kQuery, query);
+  subscribe(prefix + "ALERT_ACK", Input::kAlertAck, acknowledgement);
+  time.allowed = &allowed_;
+  time.input = Input::kTime;
   lcm::Subscription* const clock = bus_.subscribeFunction<Inbox*>(
       prefix + "TIME",
       [](const lcm::ReceiveBuffer* buffer, const std::string&, Inbox* inbox) {
@@ -38,8 +44,8 @@ Inbox::Inbox(lcm::LCM& bus, const std::string& prefix) : bus_(bus) {
       },
       this);
   clock->setQueueCapacity(kQueueCapacity);
-  subscribe(prefix + "MOTION", motion);
-  subscribe(prefix + "SEA_FORECAST", forecast);
+  subscribe(prefix + "MOTION", Input::kMotion, motion);
+  subscribe(prefix + "SEA_FORECAST", Input::kSeaForecast, forecast);
 }
 
 Inbox::~Inbox() {
@@ -47,7 +53,9 @@ Inbox::~Inbox() {
 }
 
 template <typename Message>
-void Inbox::subscribe(const std::string& channel, InboxSlot<Message>& slot) {
+void Inbox::subscribe(const std::string& channel, Input input, InboxSlot<Message>& slot) {
+  slot.allowed = &allowed_;
+  slot.input = input;
   lcm::Subscription* const subscription = bus_.subscribeFunction<InboxSlot<Message>*>(
       channel,
       [](const lcm::ReceiveBuffer* buffer, const std::string&, InboxSlot<Message>* to) {

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "firmware/advisor/triple_buffer.hpp"
+#include "firmware/session/allow_list.hpp"
 #include "firmware/session/inputs.hpp"
 #include "quickstrip/alert_t.hpp"
 #include "quickstrip/clock_t.hpp"
@@ -27,18 +28,22 @@
 
 namespace quickstrip {
 
-/// One channel: the newest message, and how many did not decode.
+/// One channel: the newest message of an admitted sender, and how many did not decode or were another's.
 template <typename Message>
 struct InboxSlot {
+  const AllowList* allowed = nullptr;
+  Input input = Input::kSeaState;
   TripleBuffer<Message> newest;
   std::atomic<std::int64_t> malformed{0};
+  std::atomic<std::int64_t> foreign{0};
 };
 
 /// The channels that are received. 110 kB of messages three times over: not on the stack.
 class Inbox {
  public:
-  /// Subscribes to PREFIX + names on `bus`, which must outlive this object.
-  Inbox(lcm::LCM& bus, const std::string& prefix);
+  /// Subscribes to PREFIX + names on `bus`, which must outlive this object. What a sender who is not allowed
+  /// sends is left out here: in the buffer it would take the place of what the allowed one has sent.
+  Inbox(lcm::LCM& bus, const std::string& prefix, const AllowList& allowed);
   ~Inbox();
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
@@ -62,10 +67,11 @@ class Inbox {
 
  private:
   template <typename Message>
-  void subscribe(const std::string& channel, InboxSlot<Message>& slot);
+  void subscribe(const std::string& channel, Input input, InboxSlot<Message>& slot);
   void receive();
 
   lcm::LCM& bus_;
+  AllowList allowed_;
   std::atomic<bool> is_running_{false};
   std::atomic<bool> failed_{false};
   std::counting_semaphore<> time_has_come_{0};

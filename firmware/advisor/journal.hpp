@@ -1,26 +1,71 @@
-// The journal on standard error: one line per change of state, none per cycle. No heap.
+// The journal on standard error: one line per change of state, none per cycle. The cycle's thread notes what
+// has changed (Journal: no heap, no lock, no system call); a thread of its own words and writes it
+// (JournalWriter). A line that cannot be written in time is lost, and how many were is written next.
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <thread>
 
+#include "firmware/advisor/record_ring.hpp"
 #include "firmware/session/session.hpp"
 
 namespace quickstrip {
 
+/// What a line is made of.
+struct JournalRecord {
+  enum class Kind : std::uint8_t { kAdvice, kNoAdvice, kRefusal };
+  Kind kind = Kind::kAdvice;
+  bool is_spectrum = false;  // of the sea in force
+  std::int64_t utime = 0;
+  int verdict = 0;
+  double heading_deg = 0.0;
+  double speed_kn = 0.0;
+  std::array<char, 257> text{};  // reasons, or why there is no advice; ends with NUL
+  std::size_t input = 0;         // of a refusal
+  Conversion refusal;
+};
+
+using JournalRing = RecordRing<JournalRecord, 32>;
+
 class Journal {
  public:
-  /// Writes a line when the verdict, the reason for no advice, or the kind of sea has changed.
+  explicit Journal(JournalRing& ring) : ring_(ring) {}
+
+  /// Notes when the verdict, the reason for no advice, or the kind of sea has changed.
   void follow(const advice_t& advice);
 
-  /// Writes a line when messages were refused since the last look.
+  /// Notes when messages were refused for the first time.
   void follow(const Inputs& inputs, std::int64_t utime);
 
  private:
+  JournalRing& ring_;
   bool has_line_ = false;
   int no_advice_ = 0;
   int verdict_ = 0;
   int sea_input_ = -1;
-  std::int64_t num_refused_ = 0;
+  bool has_refused_ = false;
+};
+
+class JournalWriter {
+ public:
+  explicit JournalWriter(JournalRing& ring) : ring_(ring) {}
+  ~JournalWriter() { stop(); }
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+
+  void start();
+  /// After a last look.
+  void stop();
+
+ private:
+  void write();
+
+  JournalRing& ring_;
+  std::int64_t num_lost_ = 0;  // that were told
+  std::atomic<bool> is_running_{false};
+  std::thread thread_;
 };
 
 }  // namespace quickstrip

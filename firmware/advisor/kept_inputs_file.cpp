@@ -4,8 +4,8 @@
 #include <array>
 #include <bit>
 #include <chrono>
-#include <cstdio>
 
+#include "firmware/advisor/standard_streams.hpp"
 #include "msgs/convert/digest.hpp"
 #include "msgs/convert/encode.hpp"
 #include "msgs/files/lcm_log.hpp"
@@ -197,7 +197,7 @@ void InputKeeper::keep() {
       has_written = status.ok();
       *written = newest_.front();
       if (!status && !has_failed) {
-        std::fprintf(stderr, "inputs are not kept: %s\n", status.line().c_str());
+        tell("inputs are not kept: {}", status.line());
       }
       has_failed = !status;
     }

@@ -1,10 +1,9 @@
 #include "firmware/advisor/live.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
-#include <thread>
+
+#include "firmware/advisor/standard_streams.hpp"
+#include "firmware/heap_watch/heap_watch.hpp"
 
 namespace quickstrip {
 namespace {
@@ -30,28 +29,94 @@ std::size_t index(Input input) {
 
 Live::Live(lcm::LCM& bus, const std::string& prefix, Session& session, const SessionOptions& options,
            InputKeeper* keeper)
-    : session_(session), options_(options), keeper_(keeper), inbox_(bus, prefix), outbox_(bus, prefix) {
+    : session_(session),
+      options_(options),
+      keeper_(keeper),
+      inbox_(bus, prefix, options.allowed),
+      bus_(bus, prefix) {
   figures_.started_utime = system_utime();
 }
 
-bool Live::run(const std::atomic<bool>& stop) {
-  inbox_.start();
-  const bool is_well = options_.log_clock ? run_by_log_time(stop) : run_by_system_clock(stop);
-  inbox_.stop();
-  return is_well;
+Live::~Live() {
+  is_stop_asked_ = true;
+  if (cycle_thread_.joinable()) {
+    cycle_thread_.join();
+  }
 }
 
-bool Live::run_by_system_clock(const std::atomic<bool>& stop) {
+bool Live::run(const LiveOptions& options, const std::atomic<bool>& stop, std::string& why_not) {
+  why_not.clear();
+  if (options.real_time != RealTime::kOff) {
+    const RealTimeResult locked = lock_memory();
+    write_line(locked.line);
+    if (options.real_time == RealTime::kOn && !locked.is_whole) {
+      why_not = locked.line;
+      return true;
+    }
+  }
+  inbox_.start();
+  publisher_.start();
+  journal_writer_.start();
+  watch_.sample();
+  const RealTimeResult& scheduled = start_cycle_thread(options);
+  if (options.real_time != RealTime::kOff) {
+    write_line(scheduled.line);
+  }
+  if (options.real_time == RealTime::kOn && !scheduled.is_whole) {
+    why_not = scheduled.line;
+  }
+  Clock::time_point sampled = Clock::now();
+  while (!stop.load() && !inbox_.has_failed() && why_not.empty()) {
+    watch_.tell();
+    if (Clock::now() - sampled >= std::chrono::seconds(1)) {
+      sampled = Clock::now();
+      watch_.sample();
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  watch_.tell_stopping();
+  is_stop_asked_ = true;
+  cycle_thread_.join();
+  publisher_.stop();
+  journal_writer_.stop();
+  inbox_.stop();
+  return !inbox_.has_failed();
+}
+
+/// Waits until the thread has its priority, or not.
+const RealTimeResult& Live::start_cycle_thread(const LiveOptions& options) {
+  cycle_thread_ = std::thread([this, options] { run_cycle_thread(options); });
+  is_scheduled_.acquire();
+  return scheduled_;
+}
+
+void Live::run_cycle_thread(const LiveOptions& options) {
+  prefault_stack();
+  if (options.real_time != RealTime::kOff) {
+    scheduled_ = schedule_in_real_time(options.priority);
+  }
+  is_scheduled_.release();
+  heap_calls_before_ = heap_calls_of_this_thread();
+  if (options_.log_clock) {
+    run_by_log_time();
+  } else {
+    session_.announce(system_utime(), publisher_);
+    run_by_system_clock();
+  }
+  figures_.is_stopping = true;
+  session_.set_run_figures(figures_);
+  session_.announce(options_.log_clock ? session_.advice().utime : system_utime(), publisher_);
+}
+
+void Live::run_by_system_clock() {
   const auto period =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.cycle_period_s));
   Clock::time_point next = Clock::now();
-  while (!stop.load()) {
-    if (inbox_.has_failed()) {
-      return false;
-    }
+  while (!is_stop_asked_.load()) {
+    watch_.note_alive();
     const Clock::time_point now = Clock::now();
     if (now < next) {
-      std::this_thread::sleep_for(std::min<Clock::duration>(next - now, kLook));
+      sleep_until(std::min<Clock::time_point>(next, now + kLook));
       continue;
     }
     cycle(system_utime());
@@ -61,13 +126,14 @@ bool Live::run_by_system_clock(const std::atomic<bool>& stop) {
       next = Clock::now() + period;
     }
   }
-  return true;
 }
 
-bool Live::run_by_log_time(const std::atomic<bool>& stop) {
-  while (!stop.load()) {
-    if (inbox_.has_failed()) {
-      return false;
+void Live::run_by_log_time() {
+  while (!is_stop_asked_.load()) {
+    watch_.note_alive();
+    if (!publisher_.has_room_for_a_cycle()) {  // the bus is behind: by log time nothing is lost
+      sleep_until(Clock::now() + std::chrono::milliseconds(1));
+      continue;
     }
     if (!inbox_.time_has_come().try_acquire_for(kLook) || !inbox_.time.newest.take()) {
       continue;
@@ -77,15 +143,16 @@ bool Live::run_by_log_time(const std::atomic<bool>& stop) {
       cycle(time.utime);
     }
   }
-  return true;
 }
 
 template <typename Message>
 void Live::count_lost(InboxSlot<Message>& slot, Input input) {
   const std::int64_t malformed = slot.malformed.load(std::memory_order_relaxed);
-  for (std::int64_t& seen = malformed_seen_[index(input)]; seen < malformed; ++seen) {
-    session_.count(input, {Refusal::kMalformed, "", -1});
-  }
+  session_.count(input, {Refusal::kMalformed, "", -1}, malformed - malformed_seen_[index(input)]);
+  malformed_seen_[index(input)] = malformed;
+  const std::int64_t foreign = slot.foreign.load(std::memory_order_relaxed);
+  session_.count(input, {Refusal::kForeignSource, "source_id", -1}, foreign - foreign_seen_[index(input)]);
+  foreign_seen_[index(input)] = foreign;
   figures_.dropped_before[index(input)] = slot.newest.overtaken();
 }
 
@@ -109,12 +176,7 @@ void Live::take_inputs(std::int64_t now) {
   count_lost(inbox_.time, Input::kTime);
 }
 
-void Live::cycle(std::int64_t now) {
-  const Clock::time_point start = Clock::now();
-  take_inputs(now);
-  session_.set_run_figures(figures_);
-  session_.cycle(now, outbox_);
-  const double took_s = seconds_since(start);
+void Live::note_times(double took_s) {
   last_cycles_s_[static_cast<std::size_t>(num_cycles_) % last_cycles_s_.size()] = took_s;
   ++num_cycles_;
   const auto num = std::min(static_cast<std::size_t>(num_cycles_), last_cycles_s_.size());
@@ -125,12 +187,21 @@ void Live::cycle(std::int64_t now) {
   figures_.cycle_last_s = took_s;
   figures_.cycle_mean_s = sum_s / static_cast<double>(num);
   figures_.cycle_max_s = std::max(figures_.cycle_max_s, took_s);
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) == 0) {
-    figures_.page_faults = usage.ru_minflt + usage.ru_majflt;
-    figures_.resident_bytes = usage.ru_maxrss * 1024;  // the most it ever was
-  }
-  journal_.follow(session_.advice());
+}
+
+void Live::cycle(std::int64_t now) {
+  const Clock::time_point start = Clock::now();
+  take_inputs(now);
+  figures_.page_faults = watch_.page_faults();
+  figures_.resident_bytes = watch_.resident_bytes();
+  figures_.num_refused_by_bus = publisher_.num_refused_by_bus();
+  figures_.heap_calls_in_cycle = heap_calls_of_this_thread() - heap_calls_before_;
+  session_.set_run_figures(figures_);
+  session_.cycle(now, publisher_);
+  note_times(seconds_since(start));
+  const advice_t& advice = session_.advice();
+  watch_.note_cycle(advice.no_advice, advice.verdict);
+  journal_.follow(advice);
   journal_.follow(session_.inputs(), now);
   if (keeper_ != nullptr) {
     keeper_->hand_over(session_.inputs());

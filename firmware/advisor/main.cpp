@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "firmware/advisor/live.hpp"
 #include "firmware/advisor/standard_streams.hpp"
@@ -35,6 +37,8 @@ struct Options {
   std::string state;
   std::string author;
   int ensemble_per_cycle = -1;  // not given
+  std::string real_time = "auto";
+  LiveOptions live;
   SessionOptions session;
   MethodOptions method;
 };
@@ -70,6 +74,27 @@ void add_options(CLI::App& app, Options& options) {
   add_number(app, "--loading-stale-after-s", stale.loading_s, kStaleAfter_s,
              "Likewise, of a loading that was sent")
       ->default_str("86400");
+  app.add_option_function<std::vector<std::string>>(
+      "--allow-source",
+      [&options](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) {
+          if (!options.session.allowed.read(text)) {
+            throw CLI::ValidationError(
+                "--allow-source",
+                fmt::format("{}: CHANNEL=ID[,ID...] is wanted, e.g. SEA_STATE=3, at most {} "
+                            "ids of a channel",
+                            printable(text, 100), AllowList::kMaxSources));
+          }
+        }
+      },
+      "Whose messages are taken, e.g. SEA_STATE=3 OWN_SHIP=1,2; default everybody's");
+  app.add_option("--realtime", options.real_time,
+                 "Locked memory and SCHED_FIFO for the cycle. auto: what is permitted; on: or no start; off")
+      ->check(CLI::IsMember({"auto", "on", "off"}))
+      ->capture_default_str();
+  app.add_option("--priority", options.live.priority, "SCHED_FIFO priority of the cycle")
+      ->check(CLI::Range(1, 99))
+      ->capture_default_str();
   app.add_option("--source-id", options.session.source_id, "Of our messages")->capture_default_str();
   add_method_options(app, options.method);
 }
@@ -116,6 +141,9 @@ void compare_limits(const Options& options, Session& session) {
 
 void run(Options& options) {
   options.session.log_clock = options.clock == "log";
+  options.live.real_time = options.real_time == "on"    ? RealTime::kOn
+                           : options.real_time == "off" ? RealTime::kOff
+                                                        : RealTime::kAuto;
   options.session.method = options.method.method();
   constexpr std::size_t kMembersEachSecond = 4;  // all of them within four cycles, each within its life
   const std::size_t by_clock = options.session.log_clock ? kEnsembleMembers : kMembersEachSecond;
@@ -127,6 +155,11 @@ void run(Options& options) {
   options.session.version = Name(QUICKSTRIP_VERSION);
   options.session.table = load_table(options.method.table, files->hull);
   const auto session = std::make_unique<Session>();
+  if (const SelfTestItem failed = session->self_test(options.session.table); failed != SelfTestItem::kNone) {
+    tell("self-test: {}: there will be no advice", message(failed));
+  } else {
+    tell("self-test passed: tables, floating point, a ship whose answer is known");
+  }
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
     throw InputError{refused_by_core(options.hull, status.error())};
   }
@@ -150,8 +183,12 @@ void run(Options& options) {
   const auto live = std::make_unique<Live>(bus, options.prefix, *session, options.session, keeper.get());
   tell("quickstrip-advisor {}: {} on {}, clock {}, a cycle every {} s", QUICKSTRIP_VERSION,
        files->hull.name.view(), options.url, options.clock, options.session.cycle_period_s);
-  if (!live->run(stop_asked)) {
+  std::string why_not;
+  if (!live->run(options.live, stop_asked, why_not)) {
     throw InputError{"--url: " + options.url + ": LCM has failed"};
+  }
+  if (!why_not.empty()) {
+    throw InputError{"--realtime: on: " + why_not};
   }
   tell("stopped");
 }
@@ -168,5 +205,6 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   app.set_version_flag("--version", "quickstrip-advisor " QUICKSTRIP_VERSION);
   Options options;
   add_options(app, options);
+  add_config_option(app);
   return run_tool(app, argc, argv, [&options] { run(options); });
 }

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace quickstrip {
@@ -15,11 +15,14 @@ namespace quickstrip {
 /// pipe or socket that nobody reads loses lines, it does not hold up the program.
 void hold_standard_streams();
 
-/// A line on standard error; lost where it cannot be written. (fmt::print would throw.)
+/// A line on standard error, its end added; at most 4 kB, what a pipe takes whole or not at all. False: lost,
+/// after a moment's patience.
+bool write_line(std::string_view line);
+
+/// The same, worded here. (fmt::print would throw.)
 template <typename... Args>
 void tell(fmt::format_string<Args...> format, Args&&... args) {
-  const std::string line = fmt::format(format, std::forward<Args>(args)...) + "\n";
-  static_cast<void>(std::fputs(line.c_str(), stderr));
+  write_line(fmt::format(format, std::forward<Args>(args)...));
 }
 
 }  // namespace quickstrip

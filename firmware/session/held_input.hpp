@@ -24,10 +24,10 @@ struct InputCounters {
   std::int64_t dropped = 0;  // overtaken by a newer one before use
   Conversion last_refusal;
 
-  void count(const Conversion& conversion) {
-    ++received;
-    if (!conversion.ok()) {
-      ++refused;
+  void count(const Conversion& conversion, std::int64_t num = 1) {
+    received += num;
+    if (!conversion.ok() && num > 0) {
+      refused += num;
       last_refusal = conversion;
     }
   }

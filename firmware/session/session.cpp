@@ -15,6 +15,8 @@
 namespace quickstrip {
 namespace {
 
+constexpr Conversion kForeign{Refusal::kForeignSource, "source_id", -1};
+
 // A number that tells two runs apart by their hull table, too; without one it stays as it is.
 std::uint64_t with_table(std::uint64_t number, const HullTable* table) {
   if (table == nullptr) {
@@ -31,6 +33,12 @@ std::uint64_t with_table(std::uint64_t number, const HullTable* table) {
 void Session::set_digest_of_hull(const Loading& loading) {
   const auto of_hull = static_cast<std::uint64_t>(hull_digest(*hull_, loading));
   hull_digest_ = static_cast<std::int64_t>(with_table(of_hull, options_.table));
+}
+
+SelfTestItem Session::self_test(const HullTable* table) {
+  static Hull barge;
+  note_self_test(run_self_test(advisor_, barge, table));
+  return self_test_failed_;
 }
 
 Status Session::configure(const Hull& hull, const Criteria& criteria, const SessionOptions& options) {
@@ -63,22 +71,25 @@ Status Session::configure(const Hull& hull, const Criteria& criteria, const Sess
 }
 
 Conversion Session::accept(const sea_state_t& message, std::int64_t now, InputUse use) {
-  return inputs_.accept(message, now, use);
+  return !admits(Input::kSeaState, message.source_id) ? kForeign : inputs_.accept(message, now, use);
 }
 
 Conversion Session::accept(const wave_spectrum_t& message, std::int64_t now, InputUse use) {
-  return inputs_.accept(message, now, use);
+  return !admits(Input::kWaveSpectrum, message.source_id) ? kForeign : inputs_.accept(message, now, use);
 }
 
 Conversion Session::accept(const own_ship_t& message, std::int64_t now, InputUse use) {
-  return inputs_.accept(message, now, use);
+  return !admits(Input::kOwnShip, message.source_id) ? kForeign : inputs_.accept(message, now, use);
 }
 
 Conversion Session::accept(const loading_t& message, std::int64_t now, InputUse use) {
-  return inputs_.accept(message, now, use);
+  return !admits(Input::kLoading, message.source_id) ? kForeign : inputs_.accept(message, now, use);
 }
 
 Conversion Session::accept(const query_t& message, std::int64_t /*now*/) {
+  if (!admits(Input::kQuery, message.source_id)) {
+    return kForeign;
+  }
   Query query;
   const Conversion conversion = to_query(message, query);
   InputCounters& counters = inputs_.counters(Input::kQuery);
@@ -90,6 +101,9 @@ Conversion Session::accept(const query_t& message, std::int64_t /*now*/) {
 }
 
 Conversion Session::accept(const alert_t& acknowledgement, std::int64_t now) {
+  if (!admits(Input::kAlertAck, acknowledgement.source_id)) {
+    return kForeign;
+  }
   const Conversion conversion = alerts_.accept(acknowledgement, now);
   inputs_.counters(Input::kAlertAck).count(conversion);
   return conversion;
@@ -106,6 +120,9 @@ Conversion Session::count_measured(Input input, const Conversion& conversion, st
 }
 
 Conversion Session::accept(const motion_t& message, std::int64_t now) {
+  if (!admits(Input::kMotion, message.source_id)) {
+    return kForeign;
+  }
   const std::int64_t former = inputs_.motion_message().utime;
   const Conversion conversion = inputs_.accept(message, now);
   is_comparison_due_ = is_comparison_due_ || (conversion.ok() && inputs_.motion_message().utime != former);
@@ -113,22 +130,41 @@ Conversion Session::accept(const motion_t& message, std::int64_t now) {
 }
 
 Conversion Session::accept(const sea_forecast_t& message, std::int64_t now) {
+  if (!admits(Input::kSeaForecast, message.source_id)) {
+    return kForeign;
+  }
   return count_measured(Input::kSeaForecast, check_forecast(message), message.utime, now);
 }
 
 Conversion Session::accept(const clock_t& message) {
+  if (!admits(Input::kTime, message.source_id)) {
+    return kForeign;
+  }
   const Conversion conversion = check_clock(message);
   count(Input::kTime, conversion);
   return conversion;
 }
 
-void Session::count(Input input, const Conversion& conversion) {
-  inputs_.counters(input).count(conversion);
+void Session::count(Input input, const Conversion& conversion, std::int64_t num) {
+  inputs_.counters(input).count(conversion, num);
+}
+
+bool Session::admits(Input input, std::int16_t source_id) {
+  const bool is_allowed = options_.allowed.admits(input, source_id);
+  if (!is_allowed) {
+    count(input, kForeign);
+  }
+  return is_allowed;
 }
 
 /// Which input stands in the way, if any: the ship herself first, then where she goes, then the sea.
 Fitness Session::judge(std::int64_t now, Input& sea_in_force) const {
   const Fitness sea = inputs_.sea(now, sea_in_force);
+  if (self_test_failed_ != SelfTestItem::kNone) {
+    Fitness unfit{.reason = NoAdvice::kSelfTestFailed};
+    unfit.detail.self_test = message(self_test_failed_);
+    return unfit;
+  }
   if (const Fitness loading = inputs_.loading(now); !loading.ok()) {
     return loading;
   }
@@ -179,7 +215,7 @@ void Session::cycle(std::int64_t now, Outbox& outbox) {
   send_responses(now, outbox);
   send_comparison(now, outbox);
   send_alerts(now, outbox);
-  send_health(now, outbox);
+  send_health_when_due(now, outbox);
 }
 
 void Session::rebuild() {

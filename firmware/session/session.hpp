@@ -25,9 +25,11 @@
 #include "core/strip/hull_table.hpp"
 #include "core/strip/method.hpp"
 #include "firmware/session/alerts.hpp"
+#include "firmware/session/allow_list.hpp"
 #include "firmware/session/inputs.hpp"
 #include "firmware/session/large_messages.hpp"
 #include "firmware/session/outbox.hpp"
+#include "firmware/session/self_test.hpp"
 #include "msgs/convert/encode.hpp"
 #include "quickstrip/advice_t.hpp"
 #include "quickstrip/clock_t.hpp"
@@ -43,6 +45,7 @@ namespace quickstrip {
 
 struct SessionOptions {
   StaleAfter stale_after;
+  AllowList allowed;
   StripMethod method;
   const HullTable* table = nullptr;  // compiled for the hull; must outlive the session; null: Lewis forms
   double cycle_period_s = 1.0;
@@ -64,12 +67,17 @@ struct RunFigures {
   std::int64_t heap_calls_in_cycle = -1;
   std::int64_t page_faults = -1;
   std::int64_t resident_bytes = -1;
+  std::int64_t num_refused_by_bus = 0;
   std::array<std::int64_t, kNumInputs> dropped_before{};  // by the receiver, by Input
   bool is_stopping = false;
 };
 
 class Session {
  public:
+  /// Before configure(). What fails stands in the way of advice for good: every cycle says so.
+  SelfTestItem self_test(const HullTable* table);
+  void note_self_test(SelfTestItem failed) { self_test_failed_ = failed; }
+
   /// `hull` must outlive the session. Builds the transfer functions of the hull's default loading.
   Status configure(const Hull& hull, const Criteria& criteria, const SessionOptions& options);
 
@@ -86,13 +94,17 @@ class Session {
   Conversion accept(const sea_forecast_t& message, std::int64_t now);
   /// The caller's clock with log time: a cycle may run at its utime only if this is ok.
   Conversion accept(const clock_t& message);
-  /// For what the session does not see: bytes that do not decode.
-  void count(Input input, const Conversion& conversion);
+  /// For what the session does not see: bytes that do not decode, messages of senders who are not allowed.
+  void count(Input input, const Conversion& conversion, std::int64_t num = 1);
   void set_run_figures(const RunFigures& figures) { figures_ = figures; }
 
   /// The limits are others than before the start: told on QS_LOGBOOK in the next cycle, once. `author` may be
   /// empty. The session knows neither files nor what was before: text is the caller's.
   void note_limits_change(std::string_view author, std::string_view text);
+
+  /// Health at once, outside of a cycle: that the session is about to start, or to stop. Nothing when `now`
+  /// is 0.
+  void announce(std::int64_t now, Outbox& outbox);
 
   /// `now` between 1970 and 2200 (is_time); may be before that of the last cycle.
   void cycle(std::int64_t now, Outbox& outbox);
@@ -114,6 +126,7 @@ class Session {
 
  private:
   void set_digest_of_hull(const Loading& loading);
+  bool admits(Input input, std::int16_t source_id);
   Conversion count_measured(Input input, const Conversion& conversion, std::int64_t utime, std::int64_t now);
   Fitness judge(std::int64_t now, Input& sea_in_force) const;
   const StepOutput& step(std::int64_t now, const Fitness& fitness, Input sea_in_force);
@@ -129,6 +142,8 @@ class Session {
   void send_comparison(std::int64_t now, Outbox& outbox);
   void send_alerts(std::int64_t now, Outbox& outbox);
   void send_health(std::int64_t now, Outbox& outbox);
+  void send_health_when_due(std::int64_t now, Outbox& outbox);
+  [[nodiscard]] std::int8_t state() const;
   template <typename Message>
   void send(OutChannel channel, const Message& message, Outbox& outbox);
   template <typename Message>
@@ -161,6 +176,7 @@ class Session {
   std::int64_t health_sent_ = 0;
   std::int64_t publish_failures_ = 0;
   RunFigures figures_;
+  SelfTestItem self_test_failed_ = SelfTestItem::kNone;
 };
 
 template <typename Message>

@@ -100,20 +100,41 @@ void Session::send_alerts(std::int64_t now, Outbox& outbox) {
   }
 }
 
+void Session::send_health_when_due(std::int64_t now, Outbox& outbox) {
+  if (is_due_again(health_sent_, now, kHealthEvery_s - kSlack_s)) {
+    send_health(now, outbox);
+  }
+}
+
+void Session::announce(std::int64_t now, Outbox& outbox) {
+  if (now != 0) {
+    send_health(now, outbox);
+  }
+}
+
+std::int8_t Session::state() const {
+  if (self_test_failed_ != SelfTestItem::kNone) {
+    return health_t::STATE_FAULT;
+  }
+  if (figures_.is_stopping) {
+    return health_t::STATE_STOPPING;
+  }
+  if (cycle_ == 0) {
+    return health_t::STATE_STARTING;
+  }
+  if (advisor_.is_rebuild_due()) {
+    return health_t::STATE_REBUILDING;
+  }
+  return advice_.no_advice == 0 ? health_t::STATE_RUNNING : health_t::STATE_NO_ADVICE;
+}
+
 // One column of fields: longer than other functions for that reason alone.
 void Session::send_health(std::int64_t now, Outbox& outbox) {
-  if (!is_due_again(health_sent_, now, kHealthEvery_s - kSlack_s)) {
-    return;
-  }
   health_sent_ = now;
-  const bool has_advice = advice_.no_advice == 0;
   health_.utime = now;
   ++health_.seq;
   health_.source_id = options_.source_id;
-  health_.state = figures_.is_stopping        ? health_t::STATE_STOPPING
-                  : advisor_.is_rebuild_due() ? health_t::STATE_REBUILDING
-                  : has_advice                ? health_t::STATE_RUNNING
-                                              : health_t::STATE_NO_ADVICE;
+  health_.state = state();
   health_.clock = options_.log_clock ? 1 : 0;
   health_.no_advice = advice_.no_advice;
   health_.started_utime = figures_.started_utime;
@@ -134,7 +155,7 @@ void Session::send_health(std::int64_t now, Outbox& outbox) {
     health_.input_last_refusal[i] = static_cast<std::int16_t>(counters.last_refusal.refusal);
     health_.input_dropped[i] = counters.dropped + figures_.dropped_before[i];
   }
-  health_.publish_failures = publish_failures_;
+  health_.publish_failures = publish_failures_ + figures_.num_refused_by_bus;
   health_.heap_calls_in_cycle = figures_.heap_calls_in_cycle;
   health_.page_faults = figures_.page_faults;
   health_.resident_bytes = figures_.resident_bytes;

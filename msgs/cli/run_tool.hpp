@@ -18,6 +18,10 @@ struct InputError {
 /// Throws InputError when reading or writing a file has failed.
 void require(const FileStatus& status);
 
+/// Adds --config FILE: every option of the program by its name, as TOML (`cycle-s = 0.5`). What the command
+/// line says wins; a key that is no option is refused.
+void add_config_option(CLI::App& app);
+
 /// Parses, which runs the callbacks of the subcommands, then `run`, if given. Returns the exit status;
 /// nothing is thrown.
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<void()>& run = {});

@@ -128,6 +128,8 @@ void add_no_advice(NoAdvice reason, const NoAdviceDetail& detail, Sentence& out)
       return;
     case NoAdvice::kLoadingChanged:
       return out.add("the ship's responses are being computed for a new loading");
+    case NoAdvice::kSelfTestFailed:
+      return out.add("the self-test failed: {}", detail.self_test);
     case NoAdvice::kSpeedOutsideGrid:
       out.add("the speed ");
       add_speed(detail.speed, out);

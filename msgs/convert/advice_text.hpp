@@ -20,6 +20,7 @@ struct NoAdviceDetail {
   double speed = 0.0;                // outside the grid [m/s]
   double grid_from = 0.0;            // m/s
   double grid_to = 0.0;              // m/s
+  const char* self_test = "";        // self-test: what failed
 };
 
 /// "No advice, because the sea state is 2 h 10 min old (limit 90 min)"

@@ -38,6 +38,8 @@ const char* message(Refusal refusal) {
       return "there is no advice to explain";
     case Refusal::kFromTheFuture:
       return "the time of measurement lies in the future";
+    case Refusal::kForeignSource:
+      return "its sender is not on the list of those allowed";
   }
   return "unknown reason";
 }

@@ -25,6 +25,7 @@ enum class Refusal : std::int16_t {
   kSpeedOutsideGrid = 14,  // a query for a speed that is not swept
   kNotReady = 15,          // a query while there is no advice
   kFromTheFuture = 16,     // measured later than our clock's time, by more than the tolerance
+  kForeignSource = 17,     // of a source that is not on the list of those allowed
 };
 
 /// One short clause of English, no full stop.

@@ -60,7 +60,7 @@ TEST(AdviceText, NoAdviceSaysWhy) {
   EXPECT_EQ(no_advice(NoAdvice::kSpeedOutsideGrid,
                       {.speed = from_knots(26.5), .grid_from = 0.0, .grid_to = from_knots(24.0)}),
             "No advice, because the speed 26.5 kn is outside the grid (0 to 24 kn)");
-  for (int reason = 0; reason <= static_cast<int>(NoAdvice::kInternal); ++reason) {
+  for (int reason = 0; reason <= static_cast<int>(NoAdvice::kSelfTestFailed); ++reason) {
     EXPECT_EQ(no_advice(static_cast<NoAdvice>(reason), {}).rfind("No advice, because ", 0), 0u);
   }
 }

@@ -94,7 +94,7 @@ bool convert_all(Everything& e) {
   ok = seal(e.advice_message, e.bytes) && ok;
   ok = !encode(e.grid_message, e.bytes).empty() && ok;
   ok = hull_digest(e.hull, e.loading) != 0 && ok;
-  for (int reason = 1; reason <= static_cast<int>(NoAdvice::kInternal); ++reason) {
+  for (int reason = 1; reason <= static_cast<int>(NoAdvice::kSelfTestFailed); ++reason) {
     e.advice.no_advice = static_cast<NoAdvice>(reason);
     to_message(e.advice, e.grid, e.criteria, e.context, e.advice_message);
   }
