@@ -10,10 +10,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "firmware/advisor/live.hpp"
 #include "firmware/advisor/standard_streams.hpp"
+#include "msgs/cli/allow_source_option.hpp"
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/cli/run_tool.hpp"
@@ -74,20 +74,7 @@ void add_options(CLI::App& app, Options& options) {
   add_number(app, "--loading-stale-after-s", stale.loading_s, kStaleAfter_s,
              "Likewise, of a loading that was sent")
       ->default_str("86400");
-  app.add_option_function<std::vector<std::string>>(
-      "--allow-source",
-      [&options](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts) {
-          if (!options.session.allowed.read(text)) {
-            throw CLI::ValidationError(
-                "--allow-source",
-                fmt::format("{}: CHANNEL=ID[,ID...] is wanted, e.g. SEA_STATE=3, at most {} "
-                            "ids of a channel",
-                            printable(text, 100), AllowList::kMaxSources));
-          }
-        }
-      },
-      "Whose messages are taken, e.g. SEA_STATE=3 OWN_SHIP=1,2; default everybody's");
+  add_allow_source_option(app, options.session.allowed);
   app.add_option("--realtime", options.real_time,
                  "Locked memory and SCHED_FIFO for the cycle. auto: what is permitted; on: or no start; off")
       ->check(CLI::IsMember({"auto", "on", "off"}))

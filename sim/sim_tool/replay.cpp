@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "msgs/cli/allow_source_option.hpp"
 #include "msgs/cli/list_option.hpp"
 #include "msgs/cli/method_options.hpp"
 #include "msgs/files/ship_files.hpp"
@@ -265,6 +266,7 @@ void add_replay(CLI::App& app) {
                    "Members of the ensemble computed each cycle, for QS_OUTLOOK")
       ->check(CLI::Range(std::size_t{0}, kEnsembleMembers))
       ->capture_default_str();
+  add_allow_source_option(*command, options->session.allowed);
   command->add_option("--prefix", options->replay.prefix, "Of the channel names")->capture_default_str();
   add_method_options(*command, options->method);
   command->callback([options] {
