@@ -121,6 +121,41 @@ BENCHMARK(StepWithEnsemble)
     ->Unit(benchmark::kMillisecond)
     ->MinTime(2);
 
+// A hundred members: six steps with all sixteen and one with four, less seven steps without. Sixteen places
+// are kept on board, each drawn again when its turn comes; a member costs the same whichever it is. Argument:
+// wave systems (0: measured).
+void SweepAHundredMembers(benchmark::State& state) {
+  const auto alone = make_case(static_cast<std::size_t>(state.range(0)));
+  alone->hull.roll_damping.method = RollDampingMethod::kIkeda;
+  alone->hull.roll_damping.bilge_keel = BilgeKeel{61.0, 114.0, 0.35};
+  StepInputs inputs = alone->inputs;
+  inputs.uncertainty.height_part.fill(0.1);
+  inputs.uncertainty.period_part.fill(0.1);
+  inputs.uncertainty.direction.fill(0.2);
+  inputs.uncertainty.gm = 0.05;
+  inputs.uncertainty.roll_damping_part = 0.2;
+  const auto advisor = std::make_unique<Advisor>();
+  if (!advisor->configure(alone->hull, *nordforsk_merchant(alone->hull), StripMethod{})) {
+    state.SkipWithError("the hull or its criteria are refused");
+    return;
+  }
+  std::vector<double> hundred;
+  for (auto _ : state) {
+    double sum = 0.0;
+    for (std::size_t left = 100; left > 0; left -= inputs.ensemble_members) {
+      inputs.ensemble_members = std::min<std::size_t>(left, kEnsembleMembers);
+      sum += step_ms(*advisor, inputs) - step_ms(*advisor, alone->inputs);
+    }
+    hundred.push_back(sum);
+  }
+  std::sort(hundred.begin(), hundred.end());
+  state.counters["members"] = 100.0;
+  state.counters["best_ms"] = hundred.front();
+  state.counters["p50_ms"] = percentile(hundred, 0.5);
+  state.counters["max_ms"] = hundred.back();
+}
+BENCHMARK(SweepAHundredMembers)->Arg(3)->Arg(0)->Unit(benchmark::kMillisecond)->MinTime(5);
+
 // The cycle by the hull's own sections out of a compiled table, as a ratio to the cycle by Lewis forms; turn
 // about in one run. Argument: wave systems (0: measured).
 void StepWithHullTable(benchmark::State& state) {
