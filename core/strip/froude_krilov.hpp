@@ -3,7 +3,11 @@
 // crest at the section, are X1 = i surge, X2 = i sway, X3 = heave, X4 = -i roll (about O).
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "core/base/angles.hpp"
+#include "core/base/pair.hpp"
 #include "core/strip/loaded_hull.hpp"
 
 namespace quickstrip {
@@ -21,5 +25,14 @@ struct FroudeKrilov {
 /// k: wave number [1/m]. Range: any; for a wholly submerged section heave_factor is the area-averaged e^{kz}.
 FroudeKrilov froude_krilov(ContourView contour, double half_breadth, double density, double gravity, double k,
                            EncounterAngle mu);
+
+/// e^{kz} times the weight of each point, two by two: alike for waves from every direction. Returns how many
+/// pairs.
+using ContourDecay = std::array<Pair, kMaxOffsets + 1>;
+std::size_t contour_decay(ContourView contour, double k, std::span<Pair> out);
+
+/// The same with contour_decay() given.
+FroudeKrilov froude_krilov(ContourView contour, double half_breadth, double rho_g, double k, double sin_mu,
+                           double cos_mu, std::span<const Pair> decay);
 
 }  // namespace quickstrip

@@ -99,8 +99,9 @@ Status solve_directions(const LoadedHull& hull, std::size_t m, TransferWorkspace
     boundary_value_motions(hull, std::span(out.omega).first(n), mu, work.diffraction);
   }
   for (std::size_t f = 0; f < n; ++f) {
-    section_waves(hull, out.omega[f], mu, work.sections[f]);
+    section_waves(hull, out.omega[f], mu, f, work.decays, work.sections[f]);
   }
+  work.decays.is_filled = true;
   if (const Status solved = solve_direction(hull, m, work, out); !solved) {
     return solved;
   }
@@ -146,6 +147,7 @@ Status solve_at_chosen_frequencies(const LoadedHull& hull, std::span<const doubl
   out.critical_roll_damping = 2.0 * hull.restoring.c44 / hull.roll_natural_frequency;
   std::copy(speeds.begin(), speeds.end(), out.speeds.begin());
   work.ship = ship_terms(hull);
+  work.decays = {work.decay_room, work.decay_room.size() / kMaxFrequencies, false};
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     work.terms[v] = {out.speeds[v], reference_roll_damping(hull.roll_damping, out.speeds[v])};
     work.resonance[v] = roll_resonance(hull, out.speeds[v]);

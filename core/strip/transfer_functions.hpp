@@ -39,6 +39,10 @@ struct TransferWorkspace {
   std::array<SpeedTerms, kMaxSpeeds> terms{};
   std::array<std::array<LateralLoad, kMaxPeakPoints>, kMaxSpeeds> peak_load{};
   WaveWork wave;
+  // Of contour points in waves of every frequency (WaveDecays): 600 points a wave, some 25 a section of 24.
+  // Where frequencies are few, so is memory, and there is none.
+  std::array<Pair, (kMaxFrequencies > 24 ? 300 * kMaxFrequencies : 0)> decay_room{};
+  WaveDecays decays;
 };
 
 /// Added resistance per metre of wave amplitude squared [N/m2], + aft, by wave frequency.

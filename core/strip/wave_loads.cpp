@@ -154,10 +154,27 @@ bool section_diffraction(const LoadedHull& hull, double omega, EncounterAngle mu
 }
 
 void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out) {
+  WaveDecays none;
+  section_waves(hull, omega, mu, 0, none, out);
+}
+
+void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, std::size_t f, WaveDecays& decays,
+                   SectionWaves& out) {
   const double k = wave_number(omega, hull.gravity);
+  const double sin_mu = std::sin(mu.radians);
+  const double cos_mu = std::cos(mu.radians);
+  const double rho_g = hull.density * hull.gravity;
+  ContourDecay own;
+  std::size_t used = 0;
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
-    const FroudeKrilov fk =
-        froude_krilov(hull.wave_contour[i].view(), hull.half_breadth[i], hull.density, hull.gravity, k, mu);
+    const ContourView contour = hull.wave_contour[i].view();
+    const std::span<Pair> kept = decays.place(f, used, (contour.z.size() + 1) / 2);
+    if (!decays.is_filled || kept.empty()) {
+      contour_decay(contour, k, kept.empty() ? std::span<Pair>(own) : kept);
+    }
+    const FroudeKrilov fk = froude_krilov(contour, hull.half_breadth[i], rho_g, k, sin_mu, cos_mu,
+                                          kept.empty() ? std::span<const Pair>(own) : kept);
+    used += kept.size();
     out.surge[i] = fk.surge;
     out.sway[i] = fk.sway;
     out.heave[i] = fk.heave;

@@ -12,8 +12,10 @@
 
 #include <array>
 #include <complex>
+#include <span>
 
 #include "core/base/angles.hpp"
+#include "core/base/pair.hpp"
 #include "core/strip/loaded_hull.hpp"
 
 namespace quickstrip {
@@ -72,6 +74,21 @@ void beam_sea_correction(const LoadedHull& hull, double omega, SectionDiffractio
 bool section_diffraction(const LoadedHull& hull, double omega, EncounterAngle mu, SectionDiffraction& out);
 
 void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, SectionWaves& out);
+
+/// What of section_waves() is alike for every direction, by frequency, as far as it finds room: pairs of
+/// contour points of the sections in their order.
+struct WaveDecays {
+  std::span<Pair> room;      // none: everything is worked out each time
+  std::size_t per_wave = 0;  // pairs
+  bool is_filled = false;    // by a direction before
+
+  /// Of frequency f, after `used` pairs of it; empty where there is no room.
+  [[nodiscard]] std::span<Pair> place(std::size_t f, std::size_t used, std::size_t count) const {
+    return used + count <= per_wave ? room.subspan(f * per_wave + used, count) : std::span<Pair>{};
+  }
+};
+void section_waves(const LoadedHull& hull, double omega, EncounterAngle mu, std::size_t f, WaveDecays& decays,
+                   SectionWaves& out);
 
 /// e^{-i k x cos mu}: the wave along the hull, crest at G. omega > 0 [rad/s].
 void elevation_along(const LoadedHull& hull, double omega, EncounterAngle mu, AlongHull& out);
