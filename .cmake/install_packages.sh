@@ -7,7 +7,8 @@ set -euo pipefail
 build=(build-essential cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libtomlplusplus-dev liblcm-dev liblcm-bin libgtest-dev libcpp-httplib-dev)
 # One version of the clang tools everywhere: another formats and warns differently.
-test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux chromium chromium-driver)
+test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux chromium chromium-driver
+  lintian python3)
 demo=(iproute2 util-linux gnuplot-nox chromium)
 fuzz=(clang-14 libclang-rt-14-dev)
 

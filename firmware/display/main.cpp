@@ -132,5 +132,6 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   app.set_version_flag("--version", "quickstrip-display " QUICKSTRIP_VERSION);
   Options options;
   add_options(app, options);
+  add_config_option(app);
   return run_tool(app, argc, argv, [&options] { run(options); });
 }

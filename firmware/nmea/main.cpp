@@ -92,7 +92,7 @@ void add_options(CLI::App& app, Options& options) {
       ->default_str("60");
 }
 
-/// In the order of the command line, whatever their kinds.
+/// In the order of the command line, whatever their kinds; then those of a configuration file, kind by kind.
 std::vector<SourceSpec> sources_in_order(const CLI::App& app, const Options& options) {
   const std::map<std::string, std::pair<SourceKind, const std::vector<std::string>*>> kinds{
       {"--udp", {SourceKind::kUdp, &options.udp}},
@@ -105,6 +105,12 @@ std::vector<SourceSpec> sources_in_order(const CLI::App& app, const Options& opt
     if (kind != kinds.end()) {
       const std::string& where = kind->second.second->at(num_taken[kind->first]++);
       specs.push_back({kind->second.first, where, options.interface, options.baud});
+    }
+  }
+  for (const char* const kind : {"--udp", "--serial", "--file"}) {
+    const auto& [source_kind, places] = kinds.at(kind);
+    for (std::size_t i = num_taken[kind]; i < places->size(); ++i) {
+      specs.push_back({source_kind, places->at(i), options.interface, options.baud});
     }
   }
   if (specs.empty()) {
@@ -180,5 +186,6 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   app.set_version_flag("--version", "quickstrip-nmea " QUICKSTRIP_VERSION);
   Options options;
   add_options(app, options);
+  add_config_option(app);
   return run_tool(app, argc, argv, [&] { run_all(app, options); });
 }

@@ -3,7 +3,9 @@
 // its priority, that only sleeps to absolute times, a millisecond apart. Exit 0 when nothing of the claim was
 // broken: every missed deadline explained by time that the machine took away, resident memory and page faults
 // flat, no heap calls in the cycle's thread; 1 otherwise. Figures on standard output.
-//   soak_watch URL SECONDS WARM_UP_SECONDS [PRIORITY]
+//   soak_watch URL SECONDS WARM_UP_SECONDS [PAGES]
+// PAGES, default 0: that may still be touched for the first time after the warm-up, in a run too short for
+// that.
 #include <pthread.h>
 #include <sched.h>
 #include <time.h>
@@ -159,7 +161,7 @@ bool check(bool holds, const char* what) {
   return holds;
 }
 
-int report(const Soak& soak) {
+int report(const Soak& soak, long pages) {
   double p50_us = 0.0, p99_us = 0.0, max_us = 0.0;
   bool is_real_time = true;
   for (const auto& witness : soak.witnesses) {
@@ -185,10 +187,11 @@ int report(const Soak& soak) {
       static_cast<long long>(last.heap_calls_in_cycle));
   bool is_well = check(soak.is_warm && soak.num_messages > 1, "QS_HEALTH came");
   is_well &= check(soak.own_misses == 0, "no deadline missed that the machine did not cause");
-  is_well &= check(soak.min_resident == soak.max_resident && soak.max_resident > 0,
-                   "resident memory flat to the page after the warm-up");
-  is_well &= check(last.page_faults == soak.first.page_faults && last.page_faults > 0,
-                   "no page fault after the warm-up");
+  is_well &=
+      check(soak.max_resident - soak.min_resident <= pages * sysconf(_SC_PAGESIZE) && soak.max_resident > 0,
+            "resident memory flat to the page after the warm-up");
+  is_well &= check(last.page_faults - soak.first.page_faults <= pages && last.page_faults > 0,
+                   "page faults flat after the warm-up");
   is_well &= check(last.heap_calls_in_cycle == 0, "no heap call in the cycle's thread");
   return is_well ? 0 : 1;
 }
@@ -197,11 +200,11 @@ int report(const Soak& soak) {
 
 int main(int argc, char** argv) {
   if (argc < 4) {
-    std::fprintf(stderr, "usage: soak_watch URL SECONDS WARM_UP_SECONDS [PRIORITY]\n");
+    std::fprintf(stderr, "usage: soak_watch URL SECONDS WARM_UP_SECONDS [PAGES]\n");
     return 2;
   }
   const std::int64_t until = now_ns() + static_cast<std::int64_t>(1e9 * std::atof(argv[2]));
-  const int priority = argc > 4 ? std::atoi(argv[4]) : 51;
+  constexpr int priority = 51;  // the advisor's is 50: what it takes itself is not the machine's
   lcm::LCM bus(argv[1]);
   if (!bus.good()) {
     std::fprintf(stderr, "soak_watch: %s: LCM cannot open it\n", argv[1]);
@@ -231,5 +234,5 @@ int main(int argc, char** argv) {
   for (std::thread& thread : threads) {
     thread.join();
   }
-  return report(soak);
+  return report(soak, argc > 4 ? std::atol(argv[4]) : 0);
 }
