@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "msgs/cli/run_tool.hpp"
+#include "msgs/files/printable.hpp"
 #include "sim/sea_files/number_list.hpp"
 
 namespace quickstrip::hull_tool {
@@ -71,14 +72,15 @@ std::size_t CsvFile::column(std::initializer_list<std::string_view> names) const
 double CsvFile::number(std::size_t column, std::string_view name, ListRange range) const {
   const std::optional<double> value = parse_number(fields_[column]);
   if (!value || *value < range.from || *value > range.to) {
-    refuse(fmt::format("{} = {}: a number in [{:g}, {:g}] is wanted", name, fields_[column], range.from,
-                       range.to));
+    refuse(fmt::format("{} = {}: a number in [{:g}, {:g}] is wanted", name, printable(fields_[column]),
+                       range.from, range.to));
   }
   return *value;
 }
 
 void CsvFile::refuse(const std::string& what) const {
-  throw InputError{fmt::format("{}: line {}: {}", path_, number_, what)};
+  constexpr std::size_t kMostBytes = 300;  // what stands in the file may be anything
+  throw InputError{fmt::format("{}: line {}: {}", path_, number_, printable(what, kMostBytes))};
 }
 
 }  // namespace quickstrip::hull_tool

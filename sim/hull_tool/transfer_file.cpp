@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "msgs/cli/run_tool.hpp"
+#include "msgs/files/printable.hpp"
 #include "sim/hull_tool/csv_file.hpp"
 
 namespace quickstrip::hull_tool {
@@ -46,7 +47,7 @@ Columns find_columns(const CsvFile& file) {
 std::size_t motion_of(const CsvFile& file, std::string_view name) {
   const auto at = std::find(kMotionNames.begin(), kMotionNames.end(), name);
   if (at == kMotionNames.end()) {
-    file.refuse(fmt::format("dof = {}: one of {} is wanted", name, fmt::join(kMotionNames, ", ")));
+    file.refuse(fmt::format("dof = {}: one of {} is wanted", printable(name), fmt::join(kMotionNames, ", ")));
   }
   return static_cast<std::size_t>(at - kMotionNames.begin());
 }

@@ -1,7 +1,4 @@
 // Hull, limits, sea and voyage files, and logs. What is accepted goes on to where it is used.
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -20,6 +17,7 @@
 #include "sim/replay/inspect.hpp"
 #include "sim/sea_files/sea_file.hpp"
 #include "sim/sea_files/sea_series.hpp"
+#include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/tiny_ship.hpp"
 
@@ -67,24 +65,6 @@ void advise_with(Hull& hull) {
     }
   }
 }
-
-/// A file in memory with a path.
-class MemoryFile {
- public:
-  MemoryFile() : fd_(memfd_create("fuzz", 0)) { require(fd_ >= 0, "memfd_create"); }
-  ~MemoryFile() { close(fd_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  void fill(std::span<const std::uint8_t> bytes) {
-    const bool is_written = ftruncate(fd_, 0) == 0 &&
-                            pwrite(fd_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size());
-    require(is_written, "pwrite");
-  }
-  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(fd_); }
-
- private:
-  int fd_;
-};
 
 }  // namespace
 

@@ -71,4 +71,18 @@ std::vector<Bytes> entry_seeds();
 void run_session(std::span<const std::uint8_t> bytes);
 std::vector<Bytes> session_seeds();
 
+/// Raw numbers into the core's step.
+void run_step(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> step_seeds();
+
+// Other readers.
+void run_state(std::span<const std::uint8_t> bytes);
+void run_ndbc(std::span<const std::uint8_t> bytes);
+void run_transfer(std::span<const std::uint8_t> bytes);
+void run_list(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> state_seeds();
+std::vector<Bytes> ndbc_seeds();
+std::vector<Bytes> transfer_seeds();
+std::vector<Bytes> list_seeds();
+
 }  // namespace quickstrip::fuzz
