@@ -190,7 +190,8 @@ NoAdvice Advisor::place_sea(const StepInputs& inputs) {
   if (inputs.spectrum == nullptr && inputs.sea_state == nullptr) {
     return NoAdvice::kSeaMissing;
   }
-  has_sea_ = place_sea(inputs.sea_state, inputs.spectrum).ok();
+  constexpr double kLeastHeight = 1e-9;  // m: a sea without energy is none, shares of it would be no numbers
+  has_sea_ = place_sea(inputs.sea_state, inputs.spectrum).ok() && sea_.hs >= kLeastHeight;
   return has_sea_ ? NoAdvice::kNone : NoAdvice::kSeaImplausible;
 }
 

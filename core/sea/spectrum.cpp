@@ -9,9 +9,7 @@
 namespace quickstrip {
 namespace {
 
-constexpr double kHeightMin = 1e-6;  // below the squares of responses come near what a float holds
 constexpr double kHeightMax = 60.0;
-constexpr double kPeriodMin = 1e-3;
 constexpr double kPeriodMax = 100.0;
 constexpr double kPeakednessMax = 20.0;
 
@@ -119,9 +117,7 @@ Result<Spectrum> spectrum_of(const WaveSystem& system) {
   if (!std::isfinite(system.hs) || !std::isfinite(system.period)) {
     return Error::kNotFinite;
   }
-  const bool is_in_range = system.hs >= kHeightMin && system.hs <= kHeightMax &&
-                           system.period >= kPeriodMin && system.period <= kPeriodMax;
-  if (!is_in_range) {
+  if (!(system.hs > 0.0 && system.hs <= kHeightMax && system.period > 0.0 && system.period <= kPeriodMax)) {
     return Error::kOutOfRange;
   }
   const Result<double> ratio = period_over_peak_period(system.shape, system.peakedness, system.period_kind);

@@ -9,7 +9,7 @@
 // the integral of what gamma adds. They are those of the whole spectrum, tail to infinity included: T2 of a
 // measured or cut spectrum is longer (0.15 % at 20 omega_p). JONSWAP by T1 therefore keeps the real T1;
 // 0.658 times the Bretschneider of that T1 would lengthen it by 8 %.
-// Range: hs in [1e-6, 60] m, period in [1e-3, 100] s, gamma in [1, 20]. Error of the ratios below 1e-10
+// Range: hs in (0, 60] m, period in (0, 100] s, gamma in [1, 20]. Error of the ratios below 1e-10
 // (tests/sea). Cost: 320 exponentials for a JONSWAP, one a density.
 #pragma once
 
