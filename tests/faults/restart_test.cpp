@@ -47,7 +47,7 @@ TEST_F(Restart, Kill9AndRestartGiveAgedRestoredAdviceWithinTwoSeconds) {
     start(with_state());
     ASSERT_TRUE(until_advice());
   });
-  EXPECT_LT(took_s, 2.0 * kPatience);
+  EXPECT_LT(took_s, kPatience);  // 2 s, and under sanitizers five times that
   EXPECT_EQ(advice_.verdict, int{advice_t::VERDICT_EXCEEDED});
   EXPECT_EQ(advice_.input_use[advice_t::INPUT_SEA_STATE], int{advice_t::USE_RESTORED});
   EXPECT_EQ(advice_.input_use[advice_t::INPUT_OWN_SHIP], int{advice_t::USE_RESTORED});
