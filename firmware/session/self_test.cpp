@@ -76,7 +76,7 @@ bool computes_as_ieee754() {
   const bool to_nearest =
       one + half_ulp == 1.0 && -one - half_ulp == -1.0 && one + 3.0 * half_ulp == 1.0 + 4.0 * half_ulp;
   const bool keeps_subnormals = smallest / 4.0 > 0.0 && smallest_single / 4.0F > 0.0F;
-  const bool tells_nan = !(nan == nan) && !(nan < 1.0) && !(nan >= 1.0);  // NOLINT(misc-redundant-expression)
+  const bool tells_nan = !(nan == nan) && !(nan < 1.0);  // NOLINT(misc-redundant-expression)
   return to_nearest && keeps_subnormals && tells_nan;
 }
 

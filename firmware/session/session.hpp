@@ -166,6 +166,7 @@ class Session {
   limits_t limits_{};
   logbook_t limits_change_{};
   bool is_limits_change_due_ = false;
+  SelfTestItem self_test_failed_ = SelfTestItem::kNone;
   health_t health_{};
   LargeMessages large_;
   std::array<std::uint8_t, kSessionBufferBytes> bytes_{};
@@ -176,7 +177,6 @@ class Session {
   std::int64_t health_sent_ = 0;
   std::int64_t publish_failures_ = 0;
   RunFigures figures_;
-  SelfTestItem self_test_failed_ = SelfTestItem::kNone;
 };
 
 template <typename Message>

@@ -1,6 +1,6 @@
 // A system clock that a test steps: preloaded, it shifts CLOCK_REALTIME by the nanoseconds that the file
-// QS_CLOCK_OFFSET_FILE holds (eight bytes, in this machine's order), read anew at each call. Other clocks stay
-// as they are.
+// QS_CLOCK_OFFSET_FILE holds (eight bytes, in this machine's order), read anew at each call. Other clocks
+// stay as they are.
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdint.h>
