@@ -8,7 +8,8 @@ build=(build-essential cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev n
   libtomlplusplus-dev liblcm-dev liblcm-bin libgtest-dev libcpp-httplib-dev)
 # One version of the clang tools everywhere: another formats and warns differently.
 test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux chromium chromium-driver
-  lintian python3)
+  lintian python3
+  gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm)
 demo=(iproute2 util-linux gnuplot-nox chromium)
 fuzz=(clang-14 libclang-rt-14-dev)
 
