@@ -142,14 +142,11 @@ void run(Options& options) {
   options.session.version = Name(QUICKSTRIP_VERSION);
   options.session.table = load_table(options.method.table, files->hull);
   const auto session = std::make_unique<Session>();
-  if (const SelfTestItem failed = session->self_test(options.session.table); failed != SelfTestItem::kNone) {
-    tell("self-test: {}: there will be no advice", message(failed));
-  } else {
-    tell("self-test passed: tables, floating point, a ship whose answer is known");
-  }
+  const SelfTestItem failed = session->self_test(options.session.table);
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
     throw InputError{refused_by_core(options.hull, status.error())};
   }
+  tell("self-test: {}{}", message(failed), failed == SelfTestItem::kNone ? "" : ": there will be no advice");
   std::unique_ptr<InputKeeper> keeper;
   if (!options.state.empty()) {
     int num_restored = 0;

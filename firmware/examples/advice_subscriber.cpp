@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "LCM does not open: is there a multicast route?\n");
     return 1;
   }
-  int left = argc > 2 ? std::atoi(argv[2]) : -1;  // for ever
+  int left = argc > 2 ? static_cast<int>(std::strtol(argv[2], nullptr, 10)) : -1;  // for ever
   bus.subscribeFunction<advice_t, int*>(
       "QS_ADVICE",
       [](const lcm::ReceiveBuffer*, const std::string&, const advice_t* advice, int* to_come) {

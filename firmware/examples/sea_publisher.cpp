@@ -62,7 +62,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   sea_state_t measured = sea();  // a sea is measured now and then, and may be repeated with its own time
-  for (int i = 0, seconds = argc > 2 ? std::atoi(argv[2]) : 60; i < seconds; ++i) {
+  for (int i = 0, seconds = argc > 2 ? static_cast<int>(std::strtol(argv[2], nullptr, 10)) : 60; i < seconds;
+       ++i) {
     own_ship_t ship = own_ship();
     ship.seq = i;
     bus.publish("QS_SEA_STATE", &measured);

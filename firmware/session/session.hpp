@@ -157,7 +157,6 @@ class Session {
   Alerts alerts_;
   StaticVector<Query, 8> queries_;
   StatedUncertainty uncertainty_;  // of the last cycle
-  bool is_comparison_due_ = false;
   const StepOutput* output_ = nullptr;  // the advisor's
   std::int64_t hull_digest_ = 0;
   std::int64_t table_checksum_ = 0;
@@ -165,12 +164,13 @@ class Session {
   advice_t advice_{};
   limits_t limits_{};
   logbook_t limits_change_{};
-  bool is_limits_change_due_ = false;
-  SelfTestItem self_test_failed_ = SelfTestItem::kNone;
   health_t health_{};
   LargeMessages large_;
   std::array<std::uint8_t, kSessionBufferBytes> bytes_{};
 
+  bool is_limits_change_due_ = false;
+  bool is_comparison_due_ = false;
+  SelfTestItem self_test_failed_ = SelfTestItem::kNone;
   std::int32_t cycle_ = 0;
   std::int32_t response_seq_ = 0;
   std::int64_t limits_sent_ = 0;

@@ -46,7 +46,7 @@ awk '/^```sh$/ { inside = 1; next } /^```$/ { if (inside) print "echo BLOCK"; in
 [ "$(grep -c 'echo BLOCK' "$work/commands")" = 5 ] || { echo "FAILED: not five steps" >&2; exit 1; }
 # shellcheck disable=SC1091
 . "$work/commands" >"$work/said" 2>"$work/errors" || { cat "$work/said" "$work/errors" "$work"/*.journal >&2; exit 1; }
-for line in 'self-test passed' 'quickstrip-advisor .*: S-175' 'displacement' 'No advice, because|QS_ADVICE' 'QS_ADVICE'; do
+for line in 'self-test: passed' 'quickstrip-advisor .*: S-175' 'displacement' 'No advice, because|QS_ADVICE' 'QS_ADVICE'; do
   grep -qE "$line" "$work/said" || { cat "$work/said" "$work/errors" >&2; echo "FAILED: '$line' is not said" >&2; exit 1; }
 done
 for pid in "${pids[@]}"; do

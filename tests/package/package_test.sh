@@ -84,7 +84,7 @@ if have dpkg-deb && have dpkg-shlibdeps && have cpack; then
     { cat "$work/cpack.log" >&2; fail "cpack"; }
   deb=$(ls "$work"/deb/*.deb)
   dpkg-deb --info "$deb" | grep -E '^ (Package|Version|Architecture|Installed-Size|Depends):'
-  dpkg-deb --info "$deb" | grep -q 'Depends:.*liblcm' || fail "the package does not depend on LCM's library"
+  grep -q 'Depends:.*liblcm' <<<"$(dpkg-deb --info "$deb")" || fail "the package does not depend on LCM's library"
   dpkg-deb --info "$deb" conffiles | diff - <(cd "$root" && find etc -type f | sed 's#^#/#' | sort) ||
     fail "conffiles are not the files in /etc"
   for script in postinst prerm postrm; do
