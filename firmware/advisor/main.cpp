@@ -146,7 +146,6 @@ void run(Options& options) {
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
     throw InputError{refused_by_core(options.hull, status.error())};
   }
-  tell("self-test: {}{}", message(failed), failed == SelfTestItem::kNone ? "" : ": there will be no advice");
   std::unique_ptr<InputKeeper> keeper;
   if (!options.state.empty()) {
     int num_restored = 0;
@@ -165,6 +164,7 @@ void run(Options& options) {
     throw InputError{"--url: " + options.url + ": LCM cannot open it (udpm:// needs a multicast route)"};
   }
   const auto live = std::make_unique<Live>(bus, options.prefix, *session, options.session, keeper.get());
+  tell("self-test: {}{}", message(failed), failed == SelfTestItem::kNone ? "" : ": there will be no advice");
   tell("quickstrip-advisor {}: {} on {}, clock {}, a cycle every {} s", QUICKSTRIP_VERSION,
        files->hull.name.view(), options.url, options.clock, options.session.cycle_period_s);
   std::string why_not;
