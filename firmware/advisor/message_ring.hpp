@@ -5,6 +5,7 @@
 // the past already, so the newest goes, not the one that is being read. `Bytes` in place, a power of two.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
@@ -37,7 +38,8 @@ class MessageRing {
       at += skipped;
     }
     store(at, {.size = static_cast<std::uint32_t>(bytes.size()), .channel = channel});
-    std::memcpy(ring_.data() + place(at) + sizeof(Header), bytes.data(), bytes.size());
+    std::copy(bytes.begin(), bytes.end(),
+              ring_.begin() + static_cast<std::ptrdiff_t>(place(at) + sizeof(Header)));
     written_.store(at + wanted, std::memory_order_release);
     return true;
   }

@@ -116,7 +116,7 @@ TEST_F(LiveTest, TheCyclesThreadAllocatesNothingAndMemoryStaysAsItIs) {
   EXPECT_EQ(told.back().state, int{health_t::STATE_STOPPING});
   EXPECT_EQ(told.back().heap_calls_in_cycle, 0);
   EXPECT_EQ(told.back().publish_failures, 0);
-  EXPECT_GT(told.back().num_cycles, 50);  // of 120, also under a sanitizer and other load
+  EXPECT_GT(told.back().num_cycles, 15);  // of 120, also under a sanitizer and other load
   if (kCountsMalloc) {                    // a sanitizer's own memory grows
     // After a second of warming up. The other threads and this test's own messages share the process: 64 kB.
     EXPECT_NEAR(static_cast<double>(told.back().resident_bytes), static_cast<double>(told[2].resident_bytes),
