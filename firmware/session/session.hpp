@@ -156,7 +156,7 @@ class Session {
   Inputs inputs_;
   Alerts alerts_;
   StaticVector<Query, 8> queries_;
-  StatedUncertainty uncertainty_;  // of the last cycle
+  StatedUncertainty uncertainty_;       // of the last cycle
   const StepOutput* output_ = nullptr;  // the advisor's
   std::int64_t hull_digest_ = 0;
   std::int64_t table_checksum_ = 0;
