@@ -11,11 +11,16 @@
 namespace quickstrip {
 namespace {
 
-/// The scratch asked for; afresh if the other one was alive.
-template <typename Wanted, typename Scratch>
-Wanted& alive(Scratch& scratch) {
-  Wanted* const there = std::get_if<Wanted>(&scratch);
-  return there != nullptr ? *there : scratch.template emplace<Wanted>();
+/// The memory asked for; afresh if the other one was alive.
+template <typename Wanted, typename Memory>
+Wanted& alive(Memory& memory) {
+  Wanted* const there = std::get_if<Wanted>(&memory);
+  return there != nullptr ? *there : memory.template emplace<Wanted>();
+}
+
+bool is_from_astern(const SeaEnergy& sea, std::uint8_t system, Heading heading) {
+  return system < sea.num_systems &&
+         std::cos(encounter_angle(heading, sea.system[system].from).radians) > 0.0;
 }
 
 Result<std::size_t> count_headings(const GridDefinition& grid) {
@@ -64,15 +69,15 @@ Status Advisor::configure(const Hull& hull, const Criteria& criteria, const Stri
   state_ = State::kNotConfigured;
   steadiness_.configure(steadiness);
   has_sea_ = false;
-  hull_ = hull;
+  hull_ = &hull;
   criteria_ = criteria;
   method_ = method;
   table_ = table;
   loading_ = hull.loading;
-  if (const Status status = check_criteria(criteria_, hull_); !status) {
+  if (const Status status = check_criteria(criteria_, *hull_); !status) {
     return status;
   }
-  const Result<std::size_t> headings = count_headings(hull_.grid);
+  const Result<std::size_t> headings = count_headings(hull_->grid);
   if (!headings) {
     return headings.error();
   }
@@ -85,16 +90,19 @@ Status Advisor::configure(const Hull& hull, const Criteria& criteria, const Stri
 }
 
 Status Advisor::build(const Loading& loading) {
-  if (const Status status = check_physical_range(hull_); !status) {
+  if (const Status status = check_physical_range(*hull_); !status) {
     return status;
   }
-  if (const Status status = check_physical_range(loading, hull_.lpp); !status) {
+  if (const Status status = check_physical_range(loading, hull_->lpp); !status) {
     return status;
   }
-  if (const Status status = load(hull_, loading, method_, loaded_, table_); !status) {
+  BuildMemory& memory = alive<BuildMemory>(memory_);
+  if (const Status status = load(*hull_, loading, method_, memory.loaded, table_); !status) {
     return status;
   }
-  if (const Status status = list_channels(hull_, loading, loaded_.hydrostatics, method_.swell_up, watch_);
+  loaded_ = summary_of(memory.loaded);
+  hull_quality_ = quickstrip::hull_quality(memory.loaded, loading);
+  if (const Status status = list_channels(*hull_, loading, loaded_.hydrostatics, method_.swell_up, watch_);
       !status) {
     return status;
   }
@@ -102,17 +110,17 @@ Status Advisor::build(const Loading& loading) {
     return status;
   }
   channels_ = bind_criteria(criteria_, watch_);
-  return solve_speeds();
+  return solve_speeds(memory);
 }
 
-Status Advisor::solve_speeds() {
-  const Result<SpeedList> list = list_speeds(hull_.grid);
+Status Advisor::solve_speeds(BuildMemory& memory) {
+  const Result<SpeedList> list = list_speeds(hull_->grid);
   if (!list) {
     return list.error();
   }
   const auto speeds = std::span(list->speeds).first(list->count);
-  list_zone_ship(hull_, loading_, loaded_, speeds, zone_ship_);
-  return solve_transfer_functions(loaded_, speeds, alive<TransferWorkspace>(scratch_), transfer_);
+  list_zone_ship(*hull_, loading_, memory.loaded, speeds, zone_ship_);
+  return solve_transfer_functions(memory.loaded, speeds, memory.work, transfer_);
 }
 
 Status Advisor::rebuild() {
@@ -130,22 +138,23 @@ Status Advisor::rebuild() {
 }
 
 const StepOutput& Advisor::step(const StepInputs& inputs) {
-  const NoAdvice reason = take_inputs(inputs);
+  CycleMemory& cycle = alive<CycleMemory>(memory_);
+  const NoAdvice reason = take_inputs(inputs, cycle.sea);
   if (reason != NoAdvice::kNone) {
-    withhold(reason);
-    return output_;
+    withhold(reason, cycle.output);
+    return cycle.output;
   }
-  if (const NoAdvice refused = advise(inputs); refused != NoAdvice::kNone) {
-    withhold(refused);
-    return output_;
+  if (const NoAdvice refused = advise(inputs, cycle); refused != NoAdvice::kNone) {
+    withhold(refused, cycle.output);
+    return cycle.output;
   }
   if constexpr (kEnsembleMembers > 0) {
-    sweep_ensemble(inputs);
+    sweep_ensemble(inputs, cycle);
   }
-  return output_;
+  return cycle.output;
 }
 
-NoAdvice Advisor::take_inputs(const StepInputs& inputs) {
+NoAdvice Advisor::take_inputs(const StepInputs& inputs, SeaEnergy& sea) {
   has_sea_ = false;
   if (state_ == State::kNotConfigured) {
     return NoAdvice::kNotConfigured;
@@ -164,7 +173,7 @@ NoAdvice Advisor::take_inputs(const StepInputs& inputs) {
   if (!std::isfinite(inputs.own_ship->heading.radians) || !std::isfinite(inputs.own_ship->speed)) {
     return NoAdvice::kOwnShipImplausible;
   }
-  return place_sea(inputs);
+  return place_sea(inputs, sea);
 }
 
 NoAdvice Advisor::take_loading(const StepInputs& inputs) {
@@ -181,22 +190,22 @@ NoAdvice Advisor::take_loading(const StepInputs& inputs) {
   return state_ == State::kRebuildDue ? NoAdvice::kLoadingChanged : NoAdvice::kNone;
 }
 
-Status Advisor::place_sea(const SeaState* state, const DirectionalSpectrum* spectrum) {
+Status Advisor::place_sea(const SeaState* state, const DirectionalSpectrum* spectrum, SeaEnergy& sea) const {
   const auto omega = std::span(transfer_.omega).first(transfer_.num_frequencies);
-  return spectrum != nullptr ? place_on_grid(*spectrum, omega, sea_) : place_on_grid(*state, omega, sea_);
+  return spectrum != nullptr ? place_on_grid(*spectrum, omega, sea) : place_on_grid(*state, omega, sea);
 }
 
-NoAdvice Advisor::place_sea(const StepInputs& inputs) {
+NoAdvice Advisor::place_sea(const StepInputs& inputs, SeaEnergy& sea) {
   if (inputs.spectrum == nullptr && inputs.sea_state == nullptr) {
     return NoAdvice::kSeaMissing;
   }
   constexpr double kLeastHeight = 1e-9;  // m: a sea without energy is none, shares of it would be no numbers
-  has_sea_ = place_sea(inputs.sea_state, inputs.spectrum).ok() && sea_.hs >= kLeastHeight;
+  has_sea_ = place_sea(inputs.sea_state, inputs.spectrum, sea).ok() && sea.hs >= kLeastHeight;
   return has_sea_ ? NoAdvice::kNone : NoAdvice::kSeaImplausible;
 }
 
-void Advisor::place_zones(const OwnShip& ship, const MeasuredMotion* motion) {
-  prepare_zones(zone_ship_, sea_, std::span(transfer_.omega).first(transfer_.num_frequencies), zones_);
+void Advisor::place_zones(const OwnShip& ship, const MeasuredMotion* motion, const SeaEnergy& sea) {
+  prepare_zones(zone_ship_, sea, std::span(transfer_.omega).first(transfer_.num_frequencies), zones_);
   if (motion != nullptr) {
     confirm_zones(zone_ship_, ship.heading, ship.speed,
                   {.roll_rms = motion->roll_rms,
@@ -207,64 +216,68 @@ void Advisor::place_zones(const OwnShip& ship, const MeasuredMotion* motion) {
   }
 }
 
-NoAdvice Advisor::advise(const StepInputs& step) {
+NoAdvice Advisor::advise(const StepInputs& step, CycleMemory& cycle) {
+  const SeaEnergy& sea = cycle.sea;
+  StepOutput& output = cycle.output;
   const OwnShip& ship = *step.own_ship;
-  output_.quality = hull_quality(loaded_, loading_) | depth_quality(ship.water_depth, sea_, loading_) |
-                    (ship.speed_over_ground ? kQualitySpeedOverGround : std::uint32_t{0});
+  output.quality = hull_quality_ | depth_quality(ship.water_depth, sea, loading_) |
+                   (ship.speed_over_ground ? kQualitySpeedOverGround : std::uint32_t{0});
   is_stabilised_ = ship.is_stabilised;
-  place_zones(ship, step.motion);
-  const GridInputs inputs = grid_inputs(output_.quality);
-  output_.hs = sea_.hs;
-  output_.lost_tail = sea_.lost_tail;
-  output_.num_systems = sea_.num_systems;
-  output_.systems = sea_.system;
-  if (!sweep_grid(inputs, alive<GridWorkspace>(scratch_), output_.grid)) {
+  place_zones(ship, step.motion, sea);
+  const GridInputs inputs = grid_inputs(cycle);
+  output.hs = sea.hs;
+  output.lost_tail = sea.lost_tail;
+  output.num_systems = sea.num_systems;
+  output.systems = sea.system;
+  if (!sweep_grid(inputs, cycle.grid, output.grid)) {
     return NoAdvice::kInternal;
   }
-  fill_speed_loss(hull_.resistance, output_.grid);
+  fill_speed_loss(hull_->resistance, output.grid);
   constexpr int kSpectrum = -1;
   steadiness_.begin(step.time, step.spectrum != nullptr ? kSpectrum : step.sea_source);
-  steadiness_.steady(criteria_, output_.grid);
-  output_.unknown_share = unknown_share(output_.grid);
-  output_.roll_period = zone_ship_.roll;
-  const Status status = respond(inputs, ship.heading, ship.speed, output_.present);
+  steadiness_.steady(criteria_, output.grid);
+  output.unknown_share = unknown_share(output.grid);
+  output.roll_period = zone_ship_.roll;
+  const Status status = respond(inputs, ship.heading, ship.speed, output.present);
   if (status.error() == Error::kSpeedOutOfGrid) {
-    output_.advice =
+    output.advice =
         Advice{.no_advice = NoAdvice::kSpeedOutsideGrid, .heading = ship.heading, .speed = ship.speed};
-    output_.present = CellResponse{.heading = ship.heading, .speed = ship.speed};
+    output.present = CellResponse{.heading = ship.heading, .speed = ship.speed};
     return NoAdvice::kNone;  // the grid stays
   }
   if (!status) {
     return NoAdvice::kInternal;
   }
-  advise_at(present_of(ship));
+  advise_at(present_of(ship, cycle), output);
   return NoAdvice::kNone;
 }
 
 /// The steady verdict and the changes.
-void Advisor::advise_at(const Present& present) {
-  Cell& cell = output_.present.cell;
+void Advisor::advise_at(const Present& present, StepOutput& output) {
+  Cell& cell = output.present.cell;
   const Verdict now = cell.verdict;
-  const Steadiness::Shown shown = steadiness_.present(criteria_, output_.grid, present, cell);
+  const Steadiness::Shown shown = steadiness_.present(criteria_, output.grid, present, cell);
   cell.verdict = shown.verdict;
-  Advice& advice = output_.advice;
-  rank_changes(output_.grid, present, cell, advice, steadiness_.standing(present));
+  Advice& advice = output.advice;
+  rank_changes(output.grid, present, cell, advice, steadiness_.standing(present));
   steadiness_.follow(advice);
   advice.verdict_now = now;
   advice.better_in = shown.better_in;
 }
 
-Present Advisor::present_of(const OwnShip& ship) const {
-  Present present{.heading = {wrap_two_pi(ship.heading.radians)},
-                  .speed = ship.speed,
-                  .following_seas = is_from_astern(output_.present.cell.governing_system, ship.heading),
-                  .handling = hull_.handling};
+Present Advisor::present_of(const OwnShip& ship, const CycleMemory& cycle) const {
+  const SeaEnergy& sea = cycle.sea;
+  Present present{
+      .heading = {wrap_two_pi(ship.heading.radians)},
+      .speed = ship.speed,
+      .following_seas = is_from_astern(sea, cycle.output.present.cell.governing_system, ship.heading),
+      .handling = hull_->handling};
   double most_energetic = 0.0;
-  for (std::size_t s = 0; s < sea_.num_systems; ++s) {
-    if (sea_.system[s].hs > most_energetic) {
-      most_energetic = sea_.system[s].hs;
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    if (sea.system[s].hs > most_energetic) {
+      most_energetic = sea.system[s].hs;
       present.has_sea_ahead = true;
-      present.sea_from = sea_.system[s].from;
+      present.sea_from = sea.system[s].from;
     }
   }
   if (loading_.measured_roll_period) {
@@ -275,54 +288,51 @@ Present Advisor::present_of(const OwnShip& ship) const {
   return present;
 }
 
-void Advisor::withhold(NoAdvice reason) {
+void Advisor::withhold(NoAdvice reason, StepOutput& output) {
   has_sea_ = false;
-  output_.ensemble.valid = 0;
-  output_.advice = Advice{.no_advice = reason};
-  output_.present = CellResponse{};
-  output_.quality = 0;
-  output_.hs = 0.0;
-  output_.lost_tail = 0.0;
-  output_.unknown_share = -1.0;
-  output_.roll_period = {};
-  output_.num_systems = 0;
-  output_.systems = {};
-  output_.grid.num_speeds = transfer_.num_speeds;
-  output_.grid.num_headings = num_headings_;
-  output_.grid.speeds = transfer_.speeds;
-  for (auto& row : output_.grid.cells) {
+  output.ensemble.valid = 0;
+  output.advice = Advice{.no_advice = reason};
+  output.present = CellResponse{};
+  output.quality = 0;
+  output.hs = 0.0;
+  output.lost_tail = 0.0;
+  output.unknown_share = -1.0;
+  output.roll_period = {};
+  output.num_systems = 0;
+  output.systems = {};
+  output.grid.num_speeds = transfer_.num_speeds;
+  output.grid.num_headings = num_headings_;
+  output.grid.speeds = transfer_.speeds;
+  for (auto& row : output.grid.cells) {
     row.fill(Cell{});  // unknown: never yesterday's green
   }
 }
 
-GridInputs Advisor::grid_inputs(std::uint32_t quality) const {
+GridInputs Advisor::grid_inputs(const CycleMemory& cycle) const {
   return {.transfer = transfer_,
           .watch = watch_,
           .criteria = criteria_,
           .channels = channels_,
-          .sea = sea_,
+          .sea = cycle.sea,
           .num_headings = num_headings_,
-          .lpp = hull_.lpp,
-          .min_steerage_speed = hull_.min_steerage_speed,
-          .quality = quality,
+          .lpp = hull_->lpp,
+          .min_steerage_speed = hull_->min_steerage_speed,
+          .quality = cycle.output.quality,
           .is_stabilised = is_stabilised_,
           .zone_ship = &zone_ship_,
           .zones = &zones_};
 }
 
-bool Advisor::is_from_astern(std::uint8_t system, Heading heading) const {
-  return system < sea_.num_systems &&
-         std::cos(encounter_angle(heading, sea_.system[system].from).radians) > 0.0;
-}
-
 Status Advisor::respond_at(Heading heading, double speed, CellResponse& out) const {
-  if (!has_sea_) {
+  const CycleMemory* const cycle = std::get_if<CycleMemory>(&memory_);
+  if (!has_sea_ || cycle == nullptr) {
     return Error::kNotConfigured;
   }
-  const Status status = respond(grid_inputs(output_.quality), heading, speed, out);
+  const Status status = respond(grid_inputs(*cycle), heading, speed, out);
   if (status) {
-    const CellIndex near = nearest_cell(output_.grid, heading, speed);
-    const Verdict shown = output_.grid.cells[near.speed][near.heading].verdict;
+    const Grid& grid = cycle->output.grid;
+    const CellIndex near = nearest_cell(grid, heading, speed);
+    const Verdict shown = grid.cells[near.speed][near.heading].verdict;
     out.cell.verdict = severity(shown) > severity(out.cell.verdict) ? shown : out.cell.verdict;
   }
   return status;

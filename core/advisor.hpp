@@ -1,5 +1,5 @@
-// The advisor: configure once, then one step a cycle. Owns all of its memory (7.6 MB: make it static, never
-// on the stack); allocates nothing, knows no clock, reads no file.
+// The advisor: configure once, then one step a cycle. Owns all of its memory but the hull (6.3 MB: make it
+// static, never on the stack); allocates nothing, knows no clock, reads no file.
 //
 //   static Advisor advisor;
 //   advisor.configure(hull, criteria, method);        // builds the loaded hull's transfer functions
@@ -33,6 +33,7 @@
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/hull_table.hpp"
 #include "core/strip/loaded_hull.hpp"
+#include "core/strip/loading_summary.hpp"
 #include "core/strip/method.hpp"
 #include "core/strip/transfer_functions.hpp"
 
@@ -40,14 +41,16 @@ namespace quickstrip {
 
 class Advisor {
  public:
-  /// With the hull's own loading. `table`: compiled for this hull, or null (Lewis forms); it must outlive the
-  /// advisor. Errors: those of check_criteria, load, list_channels,
+  /// With the hull's own loading. `table`: compiled for this hull, or null (Lewis forms). Hull and table must
+  /// outlive the advisor: they are not copied. Errors: those of check_criteria, load, list_channels,
   /// list_people_channels, solve_transfer_functions; kOutOfRange or kTooMany for the grid definition. After
   /// an error not configured.
   Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
                    const SteadinessOptions& steadiness = {}, const HullTable* table = nullptr);
+  Status configure(const Hull&& hull, const Criteria& criteria, const StripMethod& method,
+                   const SteadinessOptions& steadiness = {}, const HullTable* table = nullptr) = delete;
 
-  /// One cycle. The reference stays valid until the next step.
+  /// One cycle. The reference stays valid until the next step or rebuild.
   const StepOutput& step(const StepInputs& inputs);
 
   /// A step met a loading that is not the one in force.
@@ -64,52 +67,61 @@ class Advisor {
   Status respond_at(Heading heading, double speed, CellResponse& out) const;
 
   [[nodiscard]] const Criteria& criteria() const { return criteria_; }
-  [[nodiscard]] const Hull& hull() const { return hull_; }
-  [[nodiscard]] const LoadedHull& loaded_hull() const { return loaded_; }
+  /// Of the loading in force.
+  [[nodiscard]] const LoadingSummary& loading_summary() const { return loaded_; }
+  /// Quality bits of the hull and the loading in force.
+  [[nodiscard]] std::uint32_t hull_quality() const { return hull_quality_; }
   [[nodiscard]] const TransferFunctions& transfer_functions() const { return transfer_; }
   [[nodiscard]] const ZoneShip& zone_ship() const { return zone_ship_; }
   /// In the sea of the last step that gave advice.
   [[nodiscard]] const Zones& zones() const { return zones_; }
 
  private:
+  // A change of loading and a cycle are never at once: one memory for both.
+  struct BuildMemory {
+    LoadedHull loaded;
+    TransferWorkspace work;
+  };
+  struct CycleMemory {
+    SeaEnergy sea;
+    GridWorkspace grid;
+    StepOutput output;
+  };
   enum class State : std::uint8_t { kNotConfigured, kReady, kRebuildDue, kLoadingRefused };
 
   Status build(const Loading& loading);
-  Status solve_speeds();
+  Status solve_speeds(BuildMemory& memory);
   NoAdvice take_loading(const StepInputs& inputs);
-  NoAdvice take_inputs(const StepInputs& inputs);
-  NoAdvice place_sea(const StepInputs& inputs);
-  NoAdvice advise(const StepInputs& inputs);
-  void advise_at(const Present& present);
-  [[nodiscard]] Present present_of(const OwnShip& ship) const;
-  Status place_sea(const SeaState* state, const DirectionalSpectrum* spectrum);
-  void sweep_ensemble(const StepInputs& inputs);
-  Status sweep_member(const StepInputs& inputs, std::size_t member);
-  void place_zones(const OwnShip& ship, const MeasuredMotion* motion);
-  void withhold(NoAdvice reason);
-  [[nodiscard]] GridInputs grid_inputs(std::uint32_t quality) const;
-  [[nodiscard]] bool is_from_astern(std::uint8_t system, Heading heading) const;
+  NoAdvice take_inputs(const StepInputs& inputs, SeaEnergy& sea);
+  NoAdvice place_sea(const StepInputs& inputs, SeaEnergy& sea);
+  Status place_sea(const SeaState* state, const DirectionalSpectrum* spectrum, SeaEnergy& sea) const;
+  NoAdvice advise(const StepInputs& inputs, CycleMemory& cycle);
+  void advise_at(const Present& present, StepOutput& output);
+  [[nodiscard]] Present present_of(const OwnShip& ship, const CycleMemory& cycle) const;
+  void sweep_ensemble(const StepInputs& inputs, CycleMemory& cycle);
+  Status sweep_member(const StepInputs& inputs, std::size_t member, CycleMemory& cycle);
+  void place_zones(const OwnShip& ship, const MeasuredMotion* motion, const SeaEnergy& sea);
+  void withhold(NoAdvice reason, StepOutput& output);
+  [[nodiscard]] GridInputs grid_inputs(const CycleMemory& cycle) const;
 
   State state_ = State::kNotConfigured;
   bool has_sea_ = false;
   bool is_stabilised_ = false;  // in the last step that gave advice
-  Hull hull_;
+  const Hull* hull_ = nullptr;
   Criteria criteria_;
   StripMethod method_;
   const HullTable* table_ = nullptr;
   Loading loading_;  // in force, due or refused: see state_
   std::size_t num_headings_ = 0;
-  LoadedHull loaded_;
+  LoadingSummary loaded_;
+  std::uint32_t hull_quality_ = 0;
   TransferFunctions transfer_;
   Watch watch_;
   CriteriaChannels channels_;
-  SeaEnergy sea_;
   Steadiness steadiness_;
   ZoneShip zone_ship_;
   Zones zones_;  // of the sea
-  // Of rebuilding and of a cycle, which are never at once: one memory for both.
-  std::variant<TransferWorkspace, GridWorkspace> scratch_;
-  StepOutput output_;
+  std::variant<BuildMemory, CycleMemory> memory_;
   // The ensemble: the member to compute next, when each was, and the sea of the one in hand.
   std::size_t next_member_ = 0;
   std::array<double, kEnsembleMembers> member_time_{};

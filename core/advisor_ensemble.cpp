@@ -2,11 +2,10 @@
 #include <algorithm>
 
 #include "core/advisor.hpp"
-#include "core/base/check.hpp"
 
 namespace quickstrip {
 
-Status Advisor::sweep_member(const StepInputs& inputs, std::size_t member) {
+Status Advisor::sweep_member(const StepInputs& inputs, std::size_t member, CycleMemory& cycle) {
   const double gm = loaded_.hydrostatics.gm;
   const EnsembleMember drawn = draw_member(member, inputs.uncertainty, gm);
   const bool is_spectrum = inputs.spectrum != nullptr;
@@ -16,20 +15,18 @@ Status Advisor::sweep_member(const StepInputs& inputs, std::size_t member) {
     shift_sea(drawn, *inputs.sea_state, shifted_.front().state);
   }
   const Status placed = place_sea(is_spectrum ? nullptr : &shifted_.front().state,
-                                  is_spectrum ? &shifted_.front().spectrum : nullptr);
+                                  is_spectrum ? &shifted_.front().spectrum : nullptr, cycle.sea);
   if (!placed) {
     return placed;
   }
-  GridInputs of_member = grid_inputs(output_.quality);
+  GridInputs of_member = grid_inputs(cycle);
   of_member.roll_shift = drawn.roll;
   of_member.zones = nullptr;  // limits on motions are counted; the zones are those of the true sea
-  GridWorkspace* const workspace = std::get_if<GridWorkspace>(&scratch_);
-  QS_CHECK(workspace != nullptr);  // the sweep of the true sea came before
-  return quickstrip::sweep_member(of_member, member, *workspace, output_.ensemble.exceeded);
+  return quickstrip::sweep_member(of_member, member, cycle.grid, cycle.output.ensemble.exceeded);
 }
 
-void Advisor::sweep_ensemble(const StepInputs& inputs) {
-  Ensemble& ensemble = output_.ensemble;
+void Advisor::sweep_ensemble(const StepInputs& inputs, CycleMemory& cycle) {
+  Ensemble& ensemble = cycle.output.ensemble;
   ensemble.uncertainty = inputs.uncertainty;
   const std::size_t wanted = std::min(inputs.ensemble_members, kEnsembleMembers);
   for (std::size_t n = 0; n < wanted; ++n) {
@@ -37,7 +34,7 @@ void Advisor::sweep_ensemble(const StepInputs& inputs) {
     next_member_ = next_member_ + 1 < kEnsembleMembers ? next_member_ + 1 : 0;
     const auto bit = static_cast<std::uint16_t>(1U << member);
     ensemble.valid = static_cast<std::uint16_t>(ensemble.valid & ~bit);
-    if (sweep_member(inputs, member)) {  // a sea that cannot be placed is no member
+    if (sweep_member(inputs, member, cycle)) {  // a sea that cannot be placed is no member
       ensemble.valid = static_cast<std::uint16_t>(ensemble.valid | bit);
       member_time_[member] = inputs.time;
     }
@@ -49,7 +46,7 @@ void Advisor::sweep_ensemble(const StepInputs& inputs) {
     }
   }
   if (wanted > 0) {  // the true sea again, for questions until the next step
-    has_sea_ = place_sea(inputs.sea_state, inputs.spectrum).ok();
+    has_sea_ = place_sea(inputs.sea_state, inputs.spectrum, cycle.sea).ok();
   }
 }
 

@@ -47,6 +47,8 @@ struct Host {
   static constexpr std::size_t kMaxWaveSystems = 6;
   static constexpr std::size_t kMaxSpectrumFrequencies = 64;
   static constexpr std::size_t kMaxSpectrumDirections = 72;
+  // Whether what is kept of a loaded hull is kept in single precision (core/base/held.hpp).
+  static constexpr bool kHoldsSinglePrecision = false;
   // Criteria of a profile: seven kinds, the local ones at several places.
   static constexpr std::size_t kMaxCriteria = 32;
   // Of the ensemble of seas and ships within what is uncertain (core/advice/ensemble.hpp): a bit each.
@@ -56,10 +58,11 @@ struct Host {
   static constexpr std::size_t kMaxHullTableBytes = 800U << 10U;
 };
 
-/// A Cortex-M7 with external or large internal RAM, within 768 KiB: a grid of 36 headings x 8 speeds, a hull
-/// of a few stations, a spectrum of a buoy's few bands. Coarser by half in direction and in frequency.
+/// A Cortex-M7 of 512 KiB of RAM, the session and the stack included: a grid of 36 headings x 8 speeds, a
+/// hull of a few stations, wave systems but no measured spectrum. Coarser by half in direction and in
+/// frequency.
 struct M7 {
-  static constexpr std::size_t kMostBytes = 768U << 10U;  // of the advisor, all of its memory
+  static constexpr std::size_t kMostBytes = 448U << 10U;  // of the advisor, all of its memory
   static constexpr std::size_t kMaxStations = 24;
   static constexpr std::size_t kMaxOffsets = 40;  // a minimal form needs 39
   static constexpr std::size_t kMaxPoints = 4;
@@ -76,8 +79,11 @@ struct M7 {
   static constexpr bool kKeepsEmpiricalResistance = false;  // no room
   static constexpr std::size_t kNumEncounterNodes = 48;
   static constexpr std::size_t kMaxWaveSystems = 3;
-  static constexpr std::size_t kMaxSpectrumFrequencies = 24;
-  static constexpr std::size_t kMaxSpectrumDirections = 36;
+  // The least that a measured spectrum may be, for none is sent to the board: the bands of one as a buoy
+  // gives it would take 75 kB.
+  static constexpr std::size_t kMaxSpectrumFrequencies = 3;
+  static constexpr std::size_t kMaxSpectrumDirections = 4;
+  static constexpr bool kHoldsSinglePrecision = true;
   static constexpr std::size_t kMaxCriteria = 12;
   static constexpr std::size_t kEnsembleMembers = 0;    // no room
   static constexpr std::size_t kMaxHullTableBytes = 0;  // read in place: it lies in flash
@@ -137,6 +143,8 @@ inline constexpr std::size_t kMaxSpectrumDirections = capacity::Profile::kMaxSpe
 // Bands of wave energy on the grid: a measured spectrum's frequencies, and one at either end for what lies
 // outside the transfer functions' frequencies.
 inline constexpr std::size_t kMaxEnergyBands = kMaxSpectrumFrequencies + 2;
+
+inline constexpr bool kHoldsSinglePrecision = capacity::Profile::kHoldsSinglePrecision;
 
 inline constexpr std::size_t kMaxCriteria = capacity::Profile::kMaxCriteria;
 // Changes of course or speed that are ranked and sent.

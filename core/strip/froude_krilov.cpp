@@ -73,7 +73,7 @@ std::size_t contour_decay(ContourView contour, double k, std::span<Pair> out) {
     const bool has_second = 2 * i + 1 < n;
     const std::size_t next = has_second ? 2 * i + 1 : 2 * i;
     out[i] = exponential(k * pair_of(contour.z[2 * i], contour.z[next])) *
-             pair_of(contour.weight[2 * i], has_second ? contour.weight[next] : 0.0);
+             pair_of(contour.weight[2 * i], has_second ? contour.weight[next] : Held(0.0));
   }
   return pairs;
 }

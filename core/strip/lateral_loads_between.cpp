@@ -50,7 +50,7 @@ void set_lateral_wave_between(const LoadedHull& hull, const DirectionWaves& wave
   const Cubic cubic = cubic_at(waves.omega, interval, omega);
   const std::size_t n = hull.num_sections;
   const auto section = [&waves](auto member) {
-    return [&waves, member](std::size_t f) -> const SectionValues& { return waves.sections[f].*member; };
+    return [&waves, member](std::size_t f) -> const HeldSectionValues& { return waves.sections[f].*member; };
   };
   SectionWaves sections;
   interpolate(cubic, n, section(&SectionWaves::sway), sections.sway);
@@ -60,7 +60,7 @@ void set_lateral_wave_between(const LoadedHull& hull, const DirectionWaves& wave
   SectionDiffraction diffraction;
   if (has_diffraction) {
     const auto part = [&waves](auto member) {
-      return [&waves, member](std::size_t f) -> const ComplexSectionValues& {
+      return [&waves, member](std::size_t f) -> const HeldComplexValues& {
         return waves.diffraction[f].*member;
       };
     };

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <type_traits>
 
 #include "core/strip/ikeda_damping.hpp"
+#include "core/strip/section_table.hpp"
 #include "core/strip/surge.hpp"
 
 namespace quickstrip {
@@ -62,10 +64,11 @@ struct AboutO {
   double b44 = 0.0;
 };
 
-AboutO lewis_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega) {
+AboutO lewis_hydrodynamics(const LoadedHull& hull, std::size_t i, const SectionTableColumn& column,
+                           double omega) {
   const LewisSection& form = hull.lewis[i];
   const double xi = omega * omega * form.breadth / (2.0 * hull.gravity);
-  const SectionCoefficients c = section_coefficients(hull.column[i], xi);
+  const SectionCoefficients c = section_coefficients(column, xi);
   const double per_second = std::sqrt(2.0 * hull.gravity / form.breadth);
   const double rho_a = hull.density * form.area;
   const double rho_ab = rho_a * form.breadth;
@@ -94,10 +97,33 @@ AboutO compiled_hydrodynamics(const LoadedHull& hull, std::size_t i, double omeg
           .b44 = rho_omega * v[kTableH4] * v[kTableH4]};
 }
 
+// One section in the table that its coefficients come from.
+class TabulatedSection {
+ public:
+  TabulatedSection(const LoadedHull& hull, std::size_t i) : hull_(hull), i_(i) {
+    if (hull.table == nullptr) {
+      const Result<SectionTableColumn> column = section_table_column(hull.lewis[i].h0, hull.lewis[i].sigma);
+      QS_CHECK(column.ok());  // set_sections() has seen to it
+      column_ = *column;
+    }
+  }
+
+  [[nodiscard]] AboutO at(double omega) const {
+    return hull_.table != nullptr ? compiled_hydrodynamics(hull_, i_, omega)
+                                  : lewis_hydrodynamics(hull_, i_, column_, omega);
+  }
+
+ private:
+  const LoadedHull& hull_;
+  std::size_t i_;
+  SectionTableColumn column_;
+};
+
 // Moved to G: a24_G = a24 + OG a22 (NOTATION.md: OG up +).
-void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, SectionHydrodynamics& out) {
-  const AboutO c =
-      hull.table != nullptr ? compiled_hydrodynamics(hull, i, omega) : lewis_hydrodynamics(hull, i, omega);
+template <typename Hydrodynamics>
+void table_hydrodynamics(const LoadedHull& hull, std::size_t i, const TabulatedSection& section, double omega,
+                         Hydrodynamics& out) {
+  const AboutO c = section.at(omega);
   const double og = hull.g_height;
   out[kA22][i] = c.a22;
   out[kB22][i] = c.b22;
@@ -110,11 +136,24 @@ void table_hydrodynamics(const LoadedHull& hull, std::size_t i, double omega, Se
 }
 
 void interpolate(const LoadedHull& hull, const NodeStencil& s, StripQuantity q, SectionValues& out) {
-  const SectionValues& v0 = hull.node[s.first][q];
-  const SectionValues& v1 = hull.node[s.first + 1][q];
-  const SectionValues& v2 = hull.node[s.first + 2][q];
+  const HeldSectionValues& v0 = hull.node[s.first][q];
+  const HeldSectionValues& v1 = hull.node[s.first + 1][q];
+  const HeldSectionValues& v2 = hull.node[s.first + 2][q];
   for (std::size_t i = 0; i < hull.num_sections; ++i) {
     out[i] = s.weight[0] * v0[i] + s.weight[1] * v1[i] + s.weight[2] * v2[i];
+  }
+}
+
+// Nothing to read where doubles are held.
+template <typename Kept>
+const SectionHydrodynamics& read(const Kept& kept, std::size_t num_sections, SectionHydrodynamics& room) {
+  if constexpr (std::is_same_v<Kept, SectionHydrodynamics>) {
+    return kept;
+  } else {
+    for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
+      std::copy_n(kept[q].begin(), num_sections, room[q].begin());
+    }
+    return room;
   }
 }
 
@@ -144,11 +183,9 @@ Status set_sections(LoadedHull& hull) {
     }
     hull.lewis[i] = *form;
     hull.has_replaced_section = hull.has_replaced_section || form->replaced;
-    const Result<SectionTableColumn> column = section_table_column(form->h0, form->sigma);
-    if (!column) {
-      return column.error();
+    if (const Result<TablePosition> position = table_position(form->h0, form->sigma); !position) {
+      return position.error();
     }
-    hull.column[i] = *column;
   }
   // What a weight holds beyond the neighbours' half panels is the panel to a station out of the water.
   const std::size_t last = hull.num_sections - 1;
@@ -279,10 +316,16 @@ Status load(const Hull& hull, const Loading& loading, const StripMethod& method,
   for (std::size_t n = 0; n < kNumEncounterNodes; ++n) {
     const double t = static_cast<double>(n) / static_cast<double>(kNumEncounterNodes - 1);
     out.log_omega[n] = std::log(kLowestNode * froude_frequency) + t * span;
-    for (std::size_t i = 0; i < out.num_sections; ++i) {
-      table_hydrodynamics(out, i, std::exp(out.log_omega[n]), out.node[n]);
+  }
+  for (std::size_t i = 0; i < out.num_sections; ++i) {
+    const TabulatedSection section(out, i);
+    for (std::size_t n = 0; n < kNumEncounterNodes; ++n) {
+      table_hydrodynamics(out, i, section, std::exp(out.log_omega[n]), out.node[n]);
     }
-    length_integrals(out, out.node[n], out.node_integrals[n]);
+  }
+  for (std::size_t n = 0; n < kNumEncounterNodes; ++n) {
+    SectionHydrodynamics held;
+    length_integrals(out, node_hydrodynamics(out, n, held), out.node_integrals[n]);
   }
   out.roll_natural_frequency = roll_natural_frequency(out);
   out.stabiliser = hull.roll_damping.stabiliser;
@@ -298,13 +341,18 @@ void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrod
   const NodeStencil s = node_stencil(hull, omega);
   if (!s.is_inside) {
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
-      table_hydrodynamics(hull, i, omega, out);
+      table_hydrodynamics(hull, i, TabulatedSection(hull, i), omega, out);
     }
     return;
   }
   for (std::size_t q = 0; q < kNumStripQuantities; ++q) {
     interpolate(hull, s, static_cast<StripQuantity>(q), out[q]);
   }
+}
+
+const SectionHydrodynamics& node_hydrodynamics(const LoadedHull& hull, std::size_t n,
+                                               SectionHydrodynamics& room) {
+  return read(hull.node[n], hull.num_sections, room);
 }
 
 void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, SectionValues& b33) {

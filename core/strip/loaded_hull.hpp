@@ -6,7 +6,7 @@
 // of them (hull_table.hpp) covers the loading. Two-dimensional coefficients are held about G at geometric
 // nodes of encounter frequency, 0.05 ... 50 sqrt(g/L), and interpolated there by second-degree Lagrange
 // polynomials in ln(omega) [Journee1992] §4; outside the nodes they come from either table directly.
-// Memory: about 1.3 MB, static. Cost of `load`: 96 nodes x stations table look-ups, a few ms.
+// Memory: about 1 MB, static. Cost of `load`: 96 nodes x stations table look-ups, a few ms.
 #pragma once
 
 #include <array>
@@ -17,6 +17,7 @@
 
 #include "core/base/capacity.hpp"
 #include "core/base/check.hpp"
+#include "core/base/held.hpp"
 #include "core/base/pair.hpp"
 #include "core/base/result.hpp"
 #include "core/hull/hull.hpp"
@@ -25,31 +26,32 @@
 #include "core/strip/hull_table.hpp"
 #include "core/strip/method.hpp"
 #include "core/strip/roll_damping.hpp"
-#include "core/strip/section_table.hpp"
 
 namespace quickstrip {
 
 /// One value per section, aft to fore.
 using SectionValues = std::array<double, kMaxStations>;
+using HeldSectionValues = std::array<Held, kMaxStations>;
 
 /// Two-dimensional coefficients per metre of length, about G, SI.
 enum StripQuantity : std::size_t { kA22, kB22, kA24, kB24, kA33, kB33, kA44, kB44, kNumStripQuantities };
 using SectionHydrodynamics = std::array<SectionValues, kNumStripQuantities>;
+using HeldHydrodynamics = std::array<HeldSectionValues, kNumStripQuantities>;
 
 /// Points and weights for integrals over z from keel to waterline: sum weight f(z, y); z from the waterline,
 /// y >= 0.
 struct ContourView {
-  std::span<const double> z;
-  std::span<const double> y;
-  std::span<const double> weight;
+  std::span<const Held> z;
+  std::span<const Held> y;
+  std::span<const Held> weight;
 };
 
 template <std::size_t N>
 struct ContourQuadrature {
   std::size_t count = 0;
-  std::array<double, N> z{};
-  std::array<double, N> y{};
-  std::array<double, N> weight{};
+  std::array<Held, N> z{};
+  std::array<Held, N> y{};
+  std::array<Held, N> weight{};
 
   void add(double z_at, double y_at, double weight_at) {
     QS_CHECK(count < N);
@@ -121,10 +123,9 @@ struct LoadedHull {
   std::array<OffsetQuadrature, kMaxStations> wave_contour{};  // for Froude-Krilov loads, see StripMethod
   std::array<LewisQuadrature, kMaxStations> lewis_contour{};  // of the forms that a and b belong to
   std::array<LewisSection, kMaxStations> lewis{};
-  std::array<SectionTableColumn, kMaxStations> column{};
 
   std::array<double, kNumEncounterNodes> log_omega{};  // of the nodes, natural
-  std::array<SectionHydrodynamics, kNumEncounterNodes> node{};
+  std::array<HeldHydrodynamics, kNumEncounterNodes> node{};
   std::array<LengthIntegrals, kNumEncounterNodes>
       node_integrals{};  // of `node`: linear in it, so interpolated alike
 };
@@ -142,6 +143,10 @@ void set_roll_damping_ratio(LoadedHull& hull, double ratio);
 
 /// a, b of every section at |omega_e| [rad/s] > 0, per metre, about G.
 void section_hydrodynamics(const LoadedHull& hull, double omega_e, SectionHydrodynamics& out);
+
+/// At node n: those held, or read into `room`.
+const SectionHydrodynamics& node_hydrodynamics(const LoadedHull& hull, std::size_t n,
+                                               SectionHydrodynamics& room);
 
 /// Added mass and damping in heave alone, the same values.
 void section_heave(const LoadedHull& hull, double omega_e, SectionValues& a33, SectionValues& b33);

@@ -110,7 +110,7 @@ Status solve_directions(const LoadedHull& hull, std::size_t m, TransferWorkspace
     return {};
   }
   for (SectionWaves& sections : std::span(work.sections).first(n)) {
-    for (double& surge : std::span(sections.surge).first(hull.num_sections)) {
+    for (Held& surge : std::span(sections.surge).first(hull.num_sections)) {
       surge = -surge;
     }
   }

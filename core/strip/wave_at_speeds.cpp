@@ -76,7 +76,8 @@ WaveSumsStencil NodeSums::stencil(const LoadedHull& hull, const WaveColumns& col
     const std::size_t node = nodes.first + k;
     const std::size_t place = node % kPlaces;
     if (held_[place] != node) {
-      SumUp(hull, columns, hull.node[node], sums_[place]);
+      SectionHydrodynamics room;
+      SumUp(hull, columns, node_hydrodynamics(hull, node, room), sums_[place]);
       held_[place] = static_cast<std::uint8_t>(node);
     }
     out.at[k] = &sums_[place];

@@ -42,13 +42,13 @@ void set_ends(const LoadedHull& hull, const AlongHull& elevation, AlongHull& vel
 
 // The orbital velocity at the surface made that of an equivalent motion, by section. A slope then acts on the
 // coefficient and the factor together: the momentum of the restrained section's own flow.
-void scale_velocity(const LoadedHull& hull, const ComplexSectionValues& factor,
+void scale_velocity(const LoadedHull& hull, const HeldComplexValues& factor,
                     std::array<ComplexSectionValues, 2>& velocity,
                     std::array<ComplexSectionValues, 2>& velocity_slope) {
   for (std::size_t n = 0; n < 2; ++n) {
     for (std::size_t i = 0; i < hull.num_sections; ++i) {
-      velocity[n][i] *= factor[i];
-      velocity_slope[n][i] *= factor[i];
+      velocity[n][i] *= Complex(factor[i]);
+      velocity_slope[n][i] *= Complex(factor[i]);
     }
   }
 }
@@ -66,7 +66,7 @@ void set_longitudinal(const LoadedHull& hull, const AlongHull& elevation, const 
     out.froude_krilov[0] += x1;
     out.froude_krilov[2] += x3;
     out.froude_krilov[4] += -x * x3 - hull.centroid_below_g[i] * x1;
-    const double factor = is_solved ? 1.0 : sections.heave_factor[i];
+    const double factor = is_solved ? Held(1.0) : sections.heave_factor[i];
     velocity.at[i] = kI * out.omega * factor * elevation.at[i];  // zd_3 = i omega factor
     if (diffraction != nullptr && !is_solved) {
       const Complex dx3 = weighted * sin_mu * sin_mu * diffraction->heave[i];
@@ -94,7 +94,7 @@ void set_lateral(const LoadedHull& hull, const AlongHull& elevation, const Secti
     out.froude_krilov[3] += -kI * weighted * sections.roll[i] + (hull.g_height + hull.roll_lever_shift) * x2;
     out.froude_krilov[5] += x * x2;
     // zd_2 = i omega (-i sin mu factor).
-    const double factor = is_solved ? 1.0 : sections.horizontal_factor[i];
+    const double factor = is_solved ? Held(1.0) : sections.horizontal_factor[i];
     velocity.at[i] = out.omega * sin_mu * factor * elevation.at[i];
     if (diffraction != nullptr && !is_solved) {
       const Complex dx2 = weighted * sin_mu * diffraction->sway[i];

@@ -22,6 +22,7 @@ namespace quickstrip {
 
 using Complex = std::complex<double>;
 using ComplexSectionValues = std::array<Complex, kMaxStations>;
+using HeldComplexValues = std::array<HeldComplex, kMaxStations>;
 
 /// A quantity by section and at the hull's very ends, beyond them by the tapers.
 struct AlongHull {
@@ -36,20 +37,20 @@ struct AlongHull {
 ///  kBoundaryValue: equivalent motions of the water in heave and sway, dimensionless, and the roll lever [m],
 ///    about O (boundary_value.hpp); of one direction.
 struct SectionDiffraction {
-  ComplexSectionValues sway{};
-  ComplexSectionValues heave{};
-  ComplexSectionValues roll{};
+  HeldComplexValues sway{};
+  HeldComplexValues heave{};
+  HeldComplexValues roll{};
 };
 
 /// Froude-Krilov amplitudes and equivalent-motion factors of each section, without the phase of the section's
 /// place: smooth in omega.
 struct SectionWaves {
-  SectionValues surge{};
-  SectionValues sway{};
-  SectionValues heave{};
-  SectionValues roll{};  // about O
-  SectionValues heave_factor{};
-  SectionValues horizontal_factor{};
+  HeldSectionValues surge{};
+  HeldSectionValues sway{};
+  HeldSectionValues heave{};
+  HeldSectionValues roll{};  // about O
+  HeldSectionValues heave_factor{};
+  HeldSectionValues horizontal_factor{};
 };
 
 struct WaveField {

@@ -142,7 +142,7 @@ void run(Options& options) {
   options.session.version = Name(QUICKSTRIP_VERSION);
   options.session.table = load_table(options.method.table, files->hull);
   const auto session = std::make_unique<Session>();
-  const SelfTestItem failed = session->self_test(options.session.table);
+  const SelfTestItem failed = session->self_test(options.session.table, *std::make_unique<Hull>());
   if (const Status status = session->configure(files->hull, files->criteria, options.session); !status) {
     throw InputError{refused_by_core(options.hull, status.error())};
   }

@@ -29,7 +29,14 @@ class StandardStreams final : public Board {
 }  // namespace
 
 int main() {
+  StandardStreams board;
+  const auto session = std::make_unique<SerialSession>(board);
   const auto hull = std::make_unique<Hull>();
+  if (const SelfTestItem failed = session->self_test(*hull); failed != SelfTestItem::kNone) {
+    std::fprintf(stderr, "%s\n", message(failed));
+    return 1;
+  }
+  std::construct_at(hull.get());
   Criteria criteria;
   ship::fill(*hull);
   ship::fill(criteria);
@@ -43,8 +50,6 @@ int main() {
   options.profile = ship::profile();
   options.version = Name("on host");
   options.table = &*table;
-  StandardStreams board;
-  const auto session = std::make_unique<SerialSession>(board);
   if (const Status status = session->configure(*hull, criteria, options); !status) {
     std::fprintf(stderr, "%s\n", message(status.error()));
     return 1;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "core/base/angles.hpp"
 #include "core/strip/section_table.hpp"
@@ -12,7 +13,7 @@ namespace quickstrip {
 namespace {
 
 constexpr bool kIsHost = kNumDirections == capacity::Host::kNumDirections;
-constexpr double kTolerance = kIsHost ? 1e-3 : 0.08;
+constexpr double kTolerance = 1e-3;
 
 struct KnownCell {
   std::size_t speed;
@@ -21,14 +22,21 @@ struct KnownCell {
   double acceleration;  // vertical at the bow, RMS [m/s2]
 };
 
-// Worked out with the host's profile in double precision: at rest and at 6 m/s, seas from both bows and
-// quarters.
-constexpr std::array<KnownCell, 4> kKnown{{
-    {0, 1, 0.00643174164, 0.715176344},
-    {0, 3, 0.00513807172, 0.780193686},
-    {1, 4, 0.0173994023, 0.507816851},
-    {1, 9, 0.00914559327, 0.921530664},
-}};
+// At rest and at 6 m/s, seas from both bows and quarters, by either profile of capacities: that of fewer
+// directions and frequencies comes out to 4 % of the other in roll, 0.2 % in acceleration.
+using KnownCells = std::array<KnownCell, 4>;
+constexpr KnownCells kKnown = kIsHost ? KnownCells{{
+                                            {0, 1, 0.00643174164, 0.715176344},
+                                            {0, 3, 0.00513807172, 0.780193686},
+                                            {1, 4, 0.0173994023, 0.507816851},
+                                            {1, 9, 0.00914559327, 0.921530664},
+                                        }}
+                                      : KnownCells{{
+                                            {0, 1, 0.00643547345, 0.715521336},
+                                            {0, 3, 0.00514285965, 0.781801164},
+                                            {1, 4, 0.0167321712, 0.508065045},
+                                            {1, 9, 0.00890288875, 0.923178554},
+                                        }};
 
 /// Every capacity is far above what the barge needs.
 template <typename Vector, typename Item>
@@ -84,7 +92,7 @@ bool computes_as_ieee754() {
 void make_known_ship(Hull& out) {
   constexpr double kLength = 100.0;
   constexpr int kStations = 11;
-  out = Hull{};
+  std::construct_at(&out);  // no copy of it on a small stack
   out.name = Name("barge of the self-test");
   out.lpp = kLength;
   out.breadth = 18.0;

@@ -4,8 +4,8 @@
 //
 // Known answer: a small barge of plain form, her whole chain from sections to verdicts, on the advisor's own
 // memory: roll and vertical acceleration at four courses and speeds, within 0.1 % of numbers that are written
-// down (single precision and another mathematics library stay within 0.001 %; another profile of capacities
-// within 8 %: its grids are coarser). The numbers follow the core: tests/session says when they must.
+// down for the profile of capacities (single precision and another mathematics library stay within 0.001 %).
+// The numbers follow the core: tests/session says when they must.
 #pragma once
 
 #include <cstdint>

@@ -35,8 +35,7 @@ void Session::set_digest_of_hull(const Loading& loading) {
   hull_digest_ = static_cast<std::int64_t>(with_table(of_hull, options_.table));
 }
 
-SelfTestItem Session::self_test(const HullTable* table) {
-  static Hull barge;
+SelfTestItem Session::self_test(const HullTable* table, Hull& barge) {
   note_self_test(run_self_test(advisor_, barge, table));
   return self_test_failed_;
 }
@@ -187,7 +186,7 @@ const StepOutput& Session::step(std::int64_t now, const Fitness& fitness, Input 
   step_inputs.motion = inputs_.motion(now);
   step_inputs.ensemble_members = options_.ensemble_per_cycle;
   if (fitness.ok()) {
-    uncertainty_ = inputs_.uncertainty(sea_in_force, advisor_.loaded_hull().hydrostatics.gm);
+    uncertainty_ = inputs_.uncertainty(sea_in_force, advisor_.loading_summary().hydrostatics.gm);
     step_inputs.uncertainty = uncertainty_.of;
   }
   return advisor_.step(step_inputs);
@@ -219,6 +218,7 @@ void Session::cycle(std::int64_t now, Outbox& outbox) {
 }
 
 void Session::rebuild() {
+  output_ = nullptr;  // its memory serves the rebuild
   const Status status = advisor_.rebuild();
   if (!status) {
     return;  // the next cycles say that the loading is implausible

@@ -74,8 +74,9 @@ struct RunFigures {
 
 class Session {
  public:
-  /// Before configure(). What fails stands in the way of advice for good: every cycle says so.
-  SelfTestItem self_test(const HullTable* table);
+  /// Before configure(). `barge`: room for the ship of the known answer, the caller's own again afterwards.
+  /// What fails stands in the way of advice for good: every cycle says so.
+  SelfTestItem self_test(const HullTable* table, Hull& barge);
   void note_self_test(SelfTestItem failed) { self_test_failed_ = failed; }
 
   /// `hull` must outlive the session. Builds the transfer functions of the hull's default loading.
@@ -118,7 +119,7 @@ class Session {
   [[nodiscard]] const advice_t& advice() const { return advice_; }
   [[nodiscard]] const grid_t& grid() const;  // not in the profile m7
   [[nodiscard]] const limits_t& limits() const { return limits_; }
-  /// What the core gave in the last cycle; nullptr before the first.
+  /// What the core gave in the last cycle; nullptr before the first and after a rebuild.
   [[nodiscard]] const StepOutput* output() const { return output_; }
   [[nodiscard]] const Inputs& inputs() const { return inputs_; }
   /// Of the hull, the loading in force and the hull table, as advice carries it.

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "core/advice/nordforsk.hpp"
-#include "core/advice/quality.hpp"
 #include "core/advisor.hpp"
 #include "msgs/cli/run_tool.hpp"
 
@@ -17,8 +16,7 @@ AdvisorFindings advisor_findings(const FloatingHull& ship) {
   if (!configured) {
     throw InputError{explain(configured.error(), ship, {})};
   }
-  const LoadedHull& loaded = advisor->loaded_hull();
-  return {kTwoPi / loaded.roll_natural_frequency, hull_quality(loaded, ship.loading)};
+  return {kTwoPi / advisor->loading_summary().roll_natural_frequency, advisor->hull_quality()};
 }
 
 double advisor_roll_period(const FloatingHull& ship) {

@@ -117,7 +117,7 @@ TEST_F(StatisticsOfTheS175, TheFreeboardFallsWithSpeedAloneAndTheGridAgreesWithT
   const Cell& cell = output.grid.cells[16][6];
   const QuantityResponse& wetness = of(output, Quantity::kDeckWetness);
   EXPECT_NEAR(static_cast<double>(cell.wetness_probability), wetness.probability, 1e-6);
-  const Hydrostatics& hydrostatics = on_->loaded_hull().hydrostatics;
+  const Hydrostatics& hydrostatics = on_->loading_summary().hydrostatics;
   const auto model = swell_up_model(SwellUp::kOnboard, *hull_, hull_->loading, hydrostatics);
   ASSERT_TRUE(model);
   const double rise = static_swell_up(*model, 175.0).rise(16.0 * kKnot);
@@ -152,7 +152,9 @@ TEST_F(StatisticsOfTheS175, ShallowWaterAndSwellUpOutsideItsRangeAreSaidInEveryC
 }
 
 TEST_F(StatisticsOfTheS175, WhatTheHullItselfIsSaidToLackIsSaid) {
-  const auto loaded = std::make_unique<LoadedHull>(on_->loaded_hull());
+  const auto loaded = std::make_unique<LoadedHull>();
+  ASSERT_TRUE(load(*hull_, hull_->loading, StripMethod{}, *loaded).ok());
+  EXPECT_EQ(on_->hull_quality(), hull_quality(*loaded, hull_->loading));
   Loading loading = hull_->loading;
   EXPECT_EQ(hull_quality(*loaded, loading), kQualityReplacedSection);  // her ends
   loaded->has_replaced_section = false;
@@ -187,7 +189,9 @@ TEST_F(StatisticsOfTheS175, MomentsAreThoseOfTwoThousandFrequencies) {
   const StepOutput& output = off_->step({.sea_state = &sea_, .own_ship = &ship});
   const Result<Spectrum> spectrum = spectrum_of(sea_.systems[0]);
   ASSERT_TRUE(spectrum);
-  const LoadedHull& loaded = off_->loaded_hull();
+  const auto floating = std::make_unique<LoadedHull>();
+  ASSERT_TRUE(load(*hull_, hull_->loading, StripMethod{}, *floating).ok());
+  const LoadedHull& loaded = *floating;
   const Position station{157.5 - loaded.hydrostatics.lcb, 0.0, 0.0};
   struct Sums {
     double m0 = 0.0;

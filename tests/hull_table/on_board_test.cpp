@@ -74,7 +74,7 @@ TEST(OnBoard, ATableOfTheHullGivesAdviceWithoutAFlag) {
   const StepOutput& output = advisor->step(sea.inputs());
   EXPECT_EQ(output.advice.no_advice, NoAdvice::kNone);
   EXPECT_EQ(output.quality & kQualityOutsideHullTable, 0u);
-  EXPECT_NE(advisor->loaded_hull().table, nullptr);
+  EXPECT_TRUE(advisor->loading_summary().has_table);
 }
 
 TEST(OnBoard, OutsideTheLevelsLewisFormsStandInAndTheAdviceSaysSo) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/strip/equations_of_motion.hpp"
+#include "core/strip/section_table.hpp"
 #include "tests/support/hulls.hpp"
 
 namespace quickstrip {
@@ -119,7 +120,7 @@ TEST(LoadedHull, InterpolatesItsTableWithin3PerMille) {
     const std::size_t i = c.hull->num_sections / 2;
     const LewisSection& form = c.hull->lewis[i];
     const double xi = omega * omega * form.breadth / (2.0 * c.hull->gravity);
-    const SectionCoefficients direct = section_coefficients(c.hull->column[i], xi);
+    const SectionCoefficients direct = section_coefficients(*section_table_column(form.h0, form.sigma), xi);
     const double rho_a = c.hull->density * form.area;
     worst = std::max(worst, std::fabs(interpolated[kA33][i] / rho_a - direct.a33) / direct.a33);
     worst =

@@ -1,11 +1,11 @@
 // The advisor on a Cortex-M7: frames come in on the serial line, a cycle runs for each QS_TIME, advice goes
 // out (FRAMING.md). The ship is built in. No heap: the program does not link if something asks for it.
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <optional>
 
 #include "core/base/check.hpp"
-#include "core/strip/section_table.hpp"
 #include "firmware/cortex-m7/board/console.hpp"
 #include "firmware/cortex-m7/board/mps2_an500.hpp"
 #include "firmware/cortex-m7/serial/serial_session.hpp"
@@ -61,9 +61,12 @@ int board_main() {
   static board::Mps2An500 machine;
   set_check_handler(say_failed_check);
   machine.start();
-  if (!section_table_is_intact()) {
-    refuse("the section table is damaged");
+  auto* const session = new (session_memory) SerialSession(machine);
+  // In the hull's memory, before she comes into it.
+  if (const SelfTestItem failed = session->self_test(hull); failed != SelfTestItem::kNone) {
+    refuse(message(failed));
   }
+  std::construct_at(&hull);
   ship::fill(hull);
   ship::fill(criteria);
   SessionOptions options;
@@ -71,7 +74,6 @@ int board_main() {
   options.profile = ship::profile();
   options.version = Name(QUICKSTRIP_VERSION " m7");
   options.table = open_table();
-  auto* const session = new (session_memory) SerialSession(machine);
   if (const Status status = session->configure(hull, criteria, options); !status) {
     refuse(message(status.error()));
   }

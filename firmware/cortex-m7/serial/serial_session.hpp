@@ -31,6 +31,9 @@ class SerialSession final : public Outbox {
  public:
   explicit SerialSession(Board& board) : board_(board) {}
 
+  /// As Session's, before configure(); a table in flash is checked when it is opened.
+  SelfTestItem self_test(Hull& barge) { return session_.self_test(nullptr, barge); }
+
   /// As Session's; the cycle period is what valid_until is counted in.
   Status configure(const Hull& hull, const Criteria& criteria, const SessionOptions& options);
 
