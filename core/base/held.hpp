@@ -14,7 +14,7 @@ namespace quickstrip {
 class Single {
  public:
   constexpr Single() = default;
-  constexpr Single(double value) : value_(static_cast<float>(value)) {}  // NOLINT: meant to be implicit
+  constexpr Single(double value) : value_(static_cast<float>(value)) {}      // NOLINT: meant to be implicit
   constexpr operator double() const { return static_cast<double>(value_); }  // NOLINT: the same
 
  private:

@@ -52,7 +52,7 @@ double removed_share(const Tally& hold, const Tally& follow, const Tally& all_kn
 
 class Sailing {
  public:
-  /// `table` may be null; it must outlive this.
+  /// `table` may be null; hull and table must outlive this.
   Status configure(const Hull& hull, const Criteria& criteria, const StripMethod& method,
                    const HullTable* table = nullptr);
   /// `changes_inside`: of the four a watch, those that may be spent while the shown verdict is inside the

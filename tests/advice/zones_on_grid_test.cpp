@@ -14,19 +14,24 @@ namespace {
 
 constexpr double kKnot = 1852.0 / 3600.0;
 
-std::unique_ptr<Advisor> advisor_for(const std::string& hull_name) {
-  auto hull = std::make_unique<Hull>();
-  EXPECT_TRUE(read_hull_file(QUICKSTRIP_SOURCE_DIR "/sim/hulls/" + hull_name, *hull).ok());
-  hull->grid.speed_step *= 3.0;  // 0, 3 ... 24 kn: a third of the time
-  auto advisor = std::make_unique<Advisor>();
-  EXPECT_TRUE(advisor->configure(*hull, *nordforsk_merchant(*hull), {}).ok());
-  return advisor;
+/// An advisor and the hull that it speaks of.
+struct Ship {
+  Hull hull;
+  Advisor advisor;
+};
+
+std::unique_ptr<Ship> ship_for(const std::string& hull_name) {
+  auto ship = std::make_unique<Ship>();
+  EXPECT_TRUE(read_hull_file(QUICKSTRIP_SOURCE_DIR "/sim/hulls/" + hull_name, ship->hull).ok());
+  ship->hull.grid.speed_step *= 3.0;  // 0, 3 ... 24 kn: a third of the time
+  EXPECT_TRUE(ship->advisor.configure(ship->hull, *nordforsk_merchant(ship->hull), {}).ok());
+  return ship;
 }
 
 class ZonesOnGrid : public testing::Test {
  protected:
-  static void SetUpTestSuite() { advisor_ = advisor_for("s175.hull.toml"); }
-  static void TearDownTestSuite() { advisor_.reset(); }
+  static void SetUpTestSuite() { ship_ = ship_for("s175.hull.toml"); }
+  static void TearDownTestSuite() { ship_.reset(); }
 
   static const StepOutput& step(Advisor& advisor, double hs, double tp, double from_deg,
                                 const MeasuredMotion* motion = nullptr) {
@@ -48,7 +53,7 @@ class ZonesOnGrid : public testing::Test {
         encounter_angle({radians(5.0 * static_cast<double>(heading))}, {radians(from_deg)}).radians);
   }
 
-  static inline std::unique_ptr<Advisor> advisor_;
+  static inline std::unique_ptr<Ship> ship_;
   static inline double time_ = 0.0;
 };
 
@@ -57,7 +62,7 @@ class ZonesOnGrid : public testing::Test {
 // enough.
 TEST_F(ZonesOnGrid, ASwellFromEachQuadrantMarksTheCoursesThatRunBeforeIt) {
   for (const double from : {35.0, 125.0, 215.0, 305.0}) {
-    const StepOutput& output = step(*advisor_, 8.0, 10.0, from);
+    const StepOutput& output = step(ship_->advisor, 8.0, 10.0, from);
     ASSERT_NEAR(output.grid.speeds[6], 18.0 * kKnot, 1e-9);
     std::size_t num_marked = 0;
     for (std::size_t h = 0; h < output.grid.num_headings; ++h) {
@@ -74,29 +79,29 @@ TEST_F(ZonesOnGrid, MeasuredMotionConfirmsSuccessiveWavesAtThePresentCourse) {
   motion.window = 600.0;
   motion.roll_rms = radians(5.0);
   motion.roll_period = 20.0;  // 15 kn before a swell of 10 s
-  const StepOutput& felt = step(*advisor_, 8.0, 10.0, 180.0, &motion);
+  const StepOutput& felt = step(ship_->advisor, 8.0, 10.0, 180.0, &motion);
   EXPECT_NE(felt.present.cell.hazards & kHazardSuccessiveWavesConfirmed, 0);
   EXPECT_NE(felt.grid.cells[6][2].hazards & kHazardSuccessiveWavesConfirmed, 0);
   EXPECT_EQ(felt.grid.cells[6][36].hazards & kHazardSuccessiveWavesConfirmed, 0);
-  const StepOutput& calm = step(*advisor_, 8.0, 10.0, 180.0);
+  const StepOutput& calm = step(ship_->advisor, 8.0, 10.0, 180.0);
   EXPECT_EQ(calm.present.cell.hazards & kHazardSuccessiveWavesConfirmed, 0);
   EXPECT_NE(calm.present.cell.hazards & kHazardSuccessiveWaves, 0);
 }
 
 TEST_F(ZonesOnGrid, TheStepSaysWhichRollPeriodTheyStandOn) {
-  const StepOutput& output = step(*advisor_, 2.0, 10.0, 180.0);
+  const StepOutput& output = step(ship_->advisor, 2.0, 10.0, 180.0);
   EXPECT_EQ(output.roll_period.source, RollPeriodSource::kComputed);
   EXPECT_NEAR(output.roll_period.longest / output.roll_period.shortest, 1.1 / 0.9, 1e-12);
 }
 
 // What is asked at one course and speed is what the grid says there.
 TEST_F(ZonesOnGrid, TheCellAskedForIsTheCellOfTheGrid) {
-  const StepOutput& output = step(*advisor_, 3.0, 12.0, 200.0);
+  const StepOutput& output = step(ship_->advisor, 3.0, 12.0, 200.0);
   CellResponse asked;
   for (std::size_t v = 1; v < output.grid.num_speeds; v += 2) {
     for (std::size_t h = 0; h < output.grid.num_headings; h += 5) {
       const double heading = radians(5.0 * static_cast<double>(h));
-      ASSERT_TRUE(advisor_->respond_at({heading}, output.grid.speeds[v], asked).ok());
+      ASSERT_TRUE(ship_->advisor.respond_at({heading}, output.grid.speeds[v], asked).ok());
       EXPECT_EQ(asked.cell.hazards, output.grid.cells[v][h].hazards) << v << " " << h;
       EXPECT_EQ(asked.cell.verdict, output.grid.cells[v][h].verdict) << v << " " << h;
     }
@@ -106,7 +111,7 @@ TEST_F(ZonesOnGrid, TheCellAskedForIsTheCellOfTheGrid) {
 // Before the rule counted the waves themselves not one cell of these was unknown.
 TEST_F(ZonesOnGrid, SomeOfTheSternIsUnknownAndNotAllOfIt) {
   for (const double tp : {10.0, 14.0}) {
-    const StepOutput& output = step(*advisor_, 2.0, tp, 180.0);
+    const StepOutput& output = step(ship_->advisor, 2.0, tp, 180.0);
     std::size_t unknown_astern = 0;
     std::size_t astern = 0;
     for (std::size_t v = 1; v < output.grid.num_speeds; ++v) {
@@ -128,8 +133,8 @@ TEST_F(ZonesOnGrid, SomeOfTheSternIsUnknownAndNotAllOfIt) {
 
 // A hull of minimal form has no offsets above its waterline: GM in waves is not known.
 TEST_F(ZonesOnGrid, WithoutStabilityInWavesNoFollowingCellIsGood) {
-  const auto minimal = advisor_for("s175_minimal.hull.toml");
-  const StepOutput& output = step(*minimal, 2.0, 10.0, 180.0);
+  const auto minimal = ship_for("s175_minimal.hull.toml");
+  const StepOutput& output = step(minimal->advisor, 2.0, 10.0, 180.0);
   std::size_t num_unknown = 0;
   std::size_t num_good = 0;
   for (std::size_t v = 1; v < output.grid.num_speeds; ++v) {
