@@ -79,9 +79,8 @@ struct M7 {
   static constexpr bool kKeepsEmpiricalResistance = false;  // no room
   static constexpr std::size_t kNumEncounterNodes = 48;
   static constexpr std::size_t kMaxWaveSystems = 3;
-  // The least that a measured spectrum may be, for none is sent to the board: the bands of one as a buoy
-  // gives it would take 75 kB.
-  static constexpr std::size_t kMaxSpectrumFrequencies = 3;
+  // No measured spectrum, for two frequencies are none: the bands of one as a buoy gives it would take 75 kB.
+  static constexpr std::size_t kMaxSpectrumFrequencies = 2;
   static constexpr std::size_t kMaxSpectrumDirections = 4;
   static constexpr bool kHoldsSinglePrecision = true;
   static constexpr std::size_t kMaxCriteria = 12;

@@ -173,10 +173,10 @@ void sine_transform(const HalfCircle<Width>& in, std::size_t count, HalfCircle<W
   }
 }
 
-/// Rows for every band of a sea, and for its systems.
+/// Rows for every band of a sea, and for its systems and two moments of all together.
 inline constexpr std::size_t kBandWidth =
     (kMaxEnergyBands + kTransformBlock - 1) / kTransformBlock * kTransformBlock;
 inline constexpr std::size_t kSystemWidth =
-    (kMaxWaveSystems + kTransformBlock - 1) / kTransformBlock * kTransformBlock;
+    (kMaxWaveSystems + 2 + kTransformBlock - 1) / kTransformBlock * kTransformBlock;
 
 }  // namespace quickstrip

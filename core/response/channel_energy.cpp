@@ -17,21 +17,19 @@ bool is_lateral(std::size_t mode) {
   return mode % 2 == 1;  // sway, roll, yaw
 }
 
-// Of a form on one side of the ship.
 struct Coefficient {
   double displacement = 0.0;
   double acceleration = 0.0;
   [[nodiscard]] bool is_absent() const { return displacement == 0.0 && acceleration == 0.0; }
 };
 
-Coefficient coefficient_of(const LinearForm& form, std::size_t mode, bool mirrored) {
-  const double sign = mirrored && is_lateral(mode) ? -1.0 : 1.0;
-  return {sign * form.displacement[mode], sign * form.acceleration[mode]};
+Coefficient coefficient_of(const LinearForm& form, std::size_t mode) {
+  return {form.displacement[mode], form.acceleration[mode]};
 }
 
 bool has_motion(const LinearForm& form, bool lateral) {
   for (std::size_t mode = 0; mode < 6; ++mode) {
-    if (is_lateral(mode) == lateral && !coefficient_of(form, mode, false).is_absent()) {
+    if (is_lateral(mode) == lateral && !coefficient_of(form, mode).is_absent()) {
       return true;
     }
   }
@@ -95,6 +93,43 @@ void to_points(const TransferFunctions& transfer, const RollPeak& peak, const Mo
     for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
       out[p] = static_cast<double>(values[i]) + slope * (static_cast<double>(peak.omega[p]) - from);
     }
+  }
+}
+
+void start(const IncidentWave* wave, bool has_points, ChannelPart& out) {
+  if (wave != nullptr) {
+    out.re = wave->re;
+    out.im = wave->im;
+  } else {
+    out.re.fill(0.0);
+    out.im.fill(0.0);
+  }
+  if (has_points) {
+    out.point_re.fill(0.0);
+    out.point_im.fill(0.0);
+  }
+}
+
+template <std::size_t N>
+void even_and_odd(const std::array<double, N>& a_re, const std::array<double, N>& a_im,
+                  const std::array<double, N>& b_re, const std::array<double, N>& b_im, std::size_t n,
+                  std::array<double, N>& even, std::array<double, N>& odd) {
+  for (std::size_t f = 0; f < n; ++f) {
+    even[f] = (a_re[f] * a_re[f] + a_im[f] * a_im[f]) + (b_re[f] * b_re[f] + b_im[f] * b_im[f]);
+    odd[f] = 2.0 * (a_re[f] * b_re[f] + a_im[f] * b_im[f]);
+  }
+}
+
+// What squares are multiplied by: of a velocity, and of relative motion where the water swells up.
+void raise(const MetWaves& met, const Channel& channel, ChannelValues& out) {
+  const std::size_t n = met.transfer.num_frequencies;
+  if (channel.form.wave > 0.0) {
+    raise_by_swell_up(channel.dynamic_swell_up, met.transfer.speeds[met.speed], met.encounters.frequency, n,
+                      out.nodes);
+  }
+  if (channel.is_rate) {
+    multiply_by_square(met.encounters.frequency, n, out.nodes);
+    multiply_by_square(met.encounters.at_points, met.peak().num_points, out.points);
   }
 }
 
@@ -166,65 +201,69 @@ void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m,
   }
 }
 
-void node_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                   const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
-                   const IncidentWave& wave, NodeValues& out) {
-  const std::size_t n = transfer.num_frequencies;
-  const MotionRow& row = transfer.row[speed][solved_direction(m)];
-  NodeValues re{};
-  NodeValues im{};
-  if (channel.form.wave > 0.0) {
-    re = wave.re;
-    im = wave.im;
-  }
-  for (std::size_t mode = 0; mode < 6; ++mode) {
-    const Coefficient c = coefficient_of(channel.form, mode, is_mirrored(m));
+void longitudinal_part(const MetWaves& met, const Channel& channel, const IncidentWave& wave,
+                       ChannelPart& out) {
+  const std::size_t n = met.transfer.num_frequencies;
+  const RollPeak& peak = met.peak();
+  const bool has_points = feels_roll(channel) && peak.num_points > 0;
+  QS_CHECK(!has_points || channel.form.wave == 0.0);
+  start(channel.form.wave > 0.0 ? &wave : nullptr, has_points, out);
+  for (const std::size_t mode : {0U, 2U, 4U}) {
+    const Coefficient c = coefficient_of(channel.form, mode);
     if (c.is_absent()) {
       continue;
     }
-    const bool is_damped = damped != nullptr && is_lateral(mode);
-    add_motion(c, encounters.frequency, is_damped ? damped->re[mode / 2] : row.re[mode],
-               is_damped ? damped->im[mode / 2] : row.im[mode], n, re, im);
-  }
-  square(re, im, n, out);
-  if (channel.form.wave > 0.0) {
-    raise_by_swell_up(channel.dynamic_swell_up, transfer.speeds[speed], encounters.frequency, n, out);
-  }
-  if (channel.is_rate) {
-    multiply_by_square(encounters.frequency, n, out);
+    add_motion(c, met.encounters.frequency, met.row().re[mode], met.row().im[mode], n, out.re, out.im);
+    if (has_points) {
+      PointValues re_of;
+      PointValues im_of;
+      to_points(met.transfer, peak, met.row().re[mode], re_of);
+      to_points(met.transfer, peak, met.row().im[mode], im_of);
+      add_motion(c, met.encounters.at_points, re_of, im_of, peak.num_points, out.point_re, out.point_im);
+    }
   }
 }
 
-void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                    const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
-                    PointValues& out) {
-  QS_CHECK(channel.form.wave == 0.0);
-  const std::size_t solved_m = solved_direction(m);
-  const RollPeak& peak = transfer.peak[speed][solved_m];
-  const MotionRow& row = transfer.row[speed][solved_m];
-  PointValues re{};
-  PointValues im{};
-  for (std::size_t mode = 0; mode < 6; ++mode) {
-    const Coefficient c = coefficient_of(channel.form, mode, is_mirrored(m));
+void lateral_part(const MetWaves& met, const Channel& channel, const LateralMotions* damped,
+                  ChannelPart& out) {
+  const RollPeak& peak = met.peak();
+  start(nullptr, peak.num_points > 0, out);
+  for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
+    const std::size_t mode = kPeakModes[i];
+    const Coefficient c = coefficient_of(channel.form, mode);
     if (c.is_absent()) {
       continue;
     }
-    if (is_lateral(mode)) {
-      const auto& re_of = damped != nullptr ? damped->point_re : peak.re;
-      const auto& im_of = damped != nullptr ? damped->point_im : peak.im;
-      add_motion(c, encounters.at_points, re_of[mode / 2], im_of[mode / 2], peak.num_points, re, im);
-      continue;
-    }
-    PointValues re_of{};
-    PointValues im_of{};
-    to_points(transfer, peak, row.re[mode], re_of);
-    to_points(transfer, peak, row.im[mode], im_of);
-    add_motion(c, encounters.at_points, re_of, im_of, peak.num_points, re, im);
+    add_motion(c, met.encounters.frequency, damped != nullptr ? damped->re[i] : met.row().re[mode],
+               damped != nullptr ? damped->im[i] : met.row().im[mode], met.transfer.num_frequencies, out.re,
+               out.im);
+    add_motion(c, met.encounters.at_points, damped != nullptr ? damped->point_re[i] : peak.re[i],
+               damped != nullptr ? damped->point_im[i] : peak.im[i], peak.num_points, out.point_re,
+               out.point_im);
   }
-  square(re, im, peak.num_points, out);
-  if (channel.is_rate) {
-    multiply_by_square(encounters.at_points, peak.num_points, out);
+}
+
+void list_square(const MetWaves& met, const Channel& channel, const ChannelPart& part, ChannelValues& out) {
+  const std::size_t num_points = met.peak().num_points;
+  out.has_points = feels_roll(channel) && num_points > 0;
+  square(part.re, part.im, met.transfer.num_frequencies, out.nodes);
+  if (out.has_points) {
+    square(part.point_re, part.point_im, num_points, out.points);
   }
+  raise(met, channel, out);
+}
+
+void list_even_odd(const MetWaves& met, const Channel& channel, const ChannelPart& longitudinal,
+                   const ChannelPart& lateral, ChannelValues& even, ChannelValues& odd) {
+  const ChannelPart& a = longitudinal;
+  const ChannelPart& b = lateral;
+  const std::size_t num_points = met.peak().num_points;
+  even.has_points = num_points > 0;
+  odd.has_points = num_points > 0;
+  even_and_odd(a.re, a.im, b.re, b.im, met.transfer.num_frequencies, even.nodes, odd.nodes);
+  even_and_odd(a.point_re, a.point_im, b.point_re, b.point_im, num_points, even.points, odd.points);
+  raise(met, channel, even);
+  raise(met, channel, odd);
 }
 
 }  // namespace quickstrip

@@ -7,7 +7,7 @@
 // sides see the same incident wave.
 // At the points of the peak, surge, heave and pitch lie on a straight line between the frequencies: they do
 // not resound there.
-// Cost: (motions in the form) x 6 + 3 flops a frequency.
+// Cost: (motions in the form) x 6 + 3 flops a frequency, for both sides 7 more.
 #pragma once
 
 #include <array>
@@ -72,15 +72,49 @@ struct LateralMotions {
   std::array<std::array<float, kMaxPeakPoints>, 3> point_im{};
 };
 
-/// At the wave frequencies. `damped`: sway, roll and yaw in place of those of the transfer functions; may be
-/// null. `wave`: at the channel's position; read only where the form has a wave.
-void node_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                   const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
-                   const IncidentWave& wave, NodeValues& out);
+/// What some of the motions make of a channel: at the wave frequencies and, where the channel feels roll, at
+/// the points of its peak.
+struct ChannelPart {
+  NodeValues re{};
+  NodeValues im{};
+  PointValues point_re{};
+  PointValues point_im{};
+};
 
-/// At the points of the roll peak; for channels without incident wave.
-void point_energies(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                    const Channel& channel, const LateralMotions* damped, const Encounters& encounters,
-                    PointValues& out);
+/// Of one speed and solved direction.
+struct MetWaves {
+  const TransferFunctions& transfer;
+  std::size_t speed;
+  std::size_t solved_m;
+  const Encounters& encounters;
+
+  [[nodiscard]] const MotionRow& row() const { return transfer.row[speed][solved_m]; }
+  [[nodiscard]] const RollPeak& peak() const { return transfer.peak[speed][solved_m]; }
+};
+
+/// Surge, heave, pitch and the wave: the same from both sides of the ship. `wave`: at the channel's position;
+/// read only where the form has a wave, which a channel that feels roll has not.
+void longitudinal_part(const MetWaves& met, const Channel& channel, const IncidentWave& wave,
+                       ChannelPart& out);
+
+/// Sway, roll and yaw: of the other sign from the port side. `damped`: in place of those of the transfer
+/// functions; may be null.
+void lateral_part(const MetWaves& met, const Channel& channel, const LateralMotions* damped,
+                  ChannelPart& out);
+
+/// |H|^2 of a channel, or what its two sides have in common or apart.
+struct ChannelValues {
+  NodeValues nodes{};
+  PointValues points{};
+  bool has_points = false;
+};
+
+/// Of one part alone.
+void list_square(const MetWaves& met, const Channel& channel, const ChannelPart& part, ChannelValues& out);
+
+/// Of both parts, a and b: even |a|^2 + |b|^2, odd 2 Re a b*; from starboard |H|^2 is even + odd, from port
+/// even - odd.
+void list_even_odd(const MetWaves& met, const Channel& channel, const ChannelPart& longitudinal,
+                   const ChannelPart& lateral, ChannelValues& even, ChannelValues& odd);
 
 }  // namespace quickstrip

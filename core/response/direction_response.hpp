@@ -16,21 +16,13 @@ namespace quickstrip {
 /// encounter-frequency floor.
 enum class Moment : std::uint8_t { kZeroth, kFirst, kSecond, kFourth, kLowEncounter };
 
-struct ChannelValues {
-  NodeValues nodes{};
-  PointValues points{};
-  bool has_points = false;
-};
-
 /// `damped`: sway, roll and yaw at another roll damping; may be null. |H|^2 at frequencies and, where the
-/// channel feels roll, at the points of the peak.
-void list_values(const TransferFunctions& transfer, std::size_t speed, std::size_t m, const Channel& channel,
-                 const LateralMotions* damped, const Encounters& encounters, const IncidentWave& wave,
-                 ChannelValues& out);
+/// channel feels roll, at the points of the peak; `is_from_port`: of waves from that side.
+void list_values(const MetWaves& met, bool is_from_port, const Channel& channel, const LateralMotions* damped,
+                 const IncidentWave& wave, ChannelValues& out);
 
 /// Integral over each band of the sea, out[b].
-void integrate_moment(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                      const Encounters& encounters, const PeakShapes& shapes, const SeaEnergy& sea,
-                      Moment moment, const ChannelValues& values, std::span<double> out);
+void integrate_moment(const MetWaves& met, const PeakShapes& shapes, const SeaEnergy& sea, Moment moment,
+                      const ChannelValues& values, std::span<double> out);
 
 }  // namespace quickstrip

@@ -1,6 +1,7 @@
 #include "core/response/heading_moments.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "core/base/check.hpp"
 #include "core/response/heading_convolution.hpp"
@@ -28,25 +29,36 @@ struct Sweep {
   [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
 };
 
-/// Everything that is wanted of one channel, at one level of roll damping.
-void list_channel(const Sweep& sweep, std::size_t c, std::size_t level, bool wants_second,
-                  SweepWorkspace& work, ChannelMoments& out) {
+/// What convolve() left in the columns.
+void read_moments(const SweepSubject& subject, const SweepWorkspace& work, ChannelMoments& out) {
+  const std::size_t num_systems = subject.sea.num_systems;
+  out.m0.fill(0.0);
+  for (std::size_t s = 0; s < num_systems; ++s) {
+    read_moment(work, s, out.m0_by_system[s]);
+    for (std::size_t h = 0; h < kNumDirections; ++h) {
+      out.m0[h] += out.m0_by_system[s][h];
+    }
+  }
+  out.m0_low_encounter.fill(0.0);
+  for (std::size_t i = 1; i < subject.moments.size(); ++i) {
+    const bool is_second = subject.moments[i] == Moment::kSecond;
+    read_moment(work, num_systems + i - 1, is_second ? out.m2 : out.m0_low_encounter);
+  }
+}
+
+/// Everything that is wanted of one channel, at `num_levels` of roll damping.
+void list_channel(const Sweep& sweep, std::size_t c, bool wants_second, SweepWorkspace& work,
+                  std::span<ChannelMoments> out) {
   const Channel& channel = sweep.watch.channels[c];
-  SweepSubject subject{sweep.transfer, sweep.speed, &channel, work.wave_of[c], sweep.sea, level, {}};
+  SweepSubject subject{sweep.transfer, sweep.speed, &channel, work.wave_of[c], sweep.sea, out.size(), {}};
   const bool wants_low = sweep.needs[c] == Need::kVarianceAndLowEncounter && sweep.has_low;
   want(Moment::kZeroth, true, subject);
   want(Moment::kSecond, wants_second, subject);
   want(Moment::kLowEncounter, wants_low, subject);
   integrate(subject, work);
-  convolve(subject, 0, work, out.m0);
-  std::copy_n(work.by_system.begin(), sweep.sea.num_systems, out.m0_by_system.begin());
-  if (wants_second) {
-    convolve(subject, 1, work, out.m2);
-  }
-  if (wants_low) {
-    convolve(subject, subject.moments.size() - 1, work, out.m0_low_encounter);
-  } else {
-    out.m0_low_encounter.fill(0.0);
+  for (std::size_t level = 0; level < out.size(); ++level) {
+    convolve(subject, level, work);
+    read_moments(subject, work, out[level]);
   }
 }
 
@@ -79,9 +91,7 @@ void blend(const Sweep& sweep, bool has_second, SweepWorkspace& work, ChannelMom
 }
 
 void list_at_levels(const Sweep& sweep, std::size_t c, bool wants_second, SweepWorkspace& work) {
-  for (std::size_t l = 0; l < sweep.levels().count; ++l) {
-    list_channel(sweep, c, l, wants_second, work, work.at_level[l]);
-  }
+  list_channel(sweep, c, wants_second, work, std::span(work.at_level).first(sweep.levels().count));
 }
 
 /// Lateral motions at the levels that the transfer functions do not hold themselves.
@@ -175,15 +185,22 @@ void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, 
       list_at_levels(sweep, c, wants_second, work);
       blend(sweep, wants_second, work, out.channel[c]);
     } else {
-      list_channel(sweep, c, 0, wants_second, work, out.channel[c]);
+      list_channel(sweep, c, wants_second, work, {&out.channel[c], 1});
     }
   }
   out.slow_wave_energy.fill(0.0);
   if (options.counts_slow_waves && has_slow) {
-    SweepSubject waves{transfer, speed, nullptr, 0, sea, 0, {}};
+    SweepSubject waves{transfer, speed, nullptr, 0, sea, 1, {}};
     want(Moment::kZeroth, true, waves);
     integrate(waves, work);
-    convolve(waves, 0, work, out.slow_wave_energy);
+    convolve(waves, 0, work);
+    ByHeading of_system;
+    for (std::size_t s = 0; s < sea.num_systems; ++s) {
+      read_moment(work, s, of_system);
+      for (std::size_t h = 0; h < kNumDirections; ++h) {
+        out.slow_wave_energy[h] += of_system[h];
+      }
+    }
   }
 }
 

@@ -2,16 +2,17 @@
 //
 // A channel's |H|^2 is integrated over each band of the sea at every relative direction; then its variance on
 // all headings is a circular convolution with what each wave system takes of the band: a product in the
-// Fourier space of direction (base/direction_transform.hpp). Nothing is folded into encounter frequency. Of a
-// channel that is the same from both sides half the directions do.
+// Fourier space of direction (base/direction_transform.hpp). Nothing is folded into encounter frequency. Half
+// the directions do: of a channel that is not the same from both sides, what they have in common and what
+// they have apart (even and odd) come from the same motions.
 // Where roll damping depends on roll, channels that feel roll are summed at each level of damping
 // (strip/roll_update.hpp); the damping of each heading is found from roll's own moments
 // (roll_linearisation.hpp), and every other moment is taken at it.
-// Work a channel, speed, level and moment: 37 or 72 directions x (frequencies + bands) + 685 x bands + 1,400
-// x systems multiply-adds at 72 directions. It depends on the sea only through the number of its bands and
-// systems: a long-crested sea takes as long as one from all round. Expected error: rounding, 1e-15 of the
-// largest variance on any heading; what is below 1e-13 of that is zero. Sums run in a fixed order: same bits
-// on every run. Memory: the workspace, 0.8 MB: static.
+// Work a channel, speed, level and moment: 37 or 74 sums of (frequencies x bands) + 685 x bands + 1,400 x
+// systems (of the variance; of other moments once) multiply-adds at 72 directions. It depends on the sea only
+// through the number of its bands and systems: a long-crested sea takes as long as one from all round.
+// Expected error: rounding, 1e-15 of the largest variance on any heading; what is below 1e-13 of that is
+// zero. Sums run in a fixed order: same bits on every run. Memory: the workspace, 0.9 MB: static.
 #pragma once
 
 #include <array>
@@ -64,15 +65,16 @@ struct SweepWorkspace {
   std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
   std::array<Encounters, kNumSolvedDirections> encounters{};
   std::array<PeakShapes, kNumSolvedDirections> shapes{};
-  std::array<HalfCircle<kBandWidth>, 3> even{};  // integrals by moment, direction and band
-  std::array<HalfCircle<kBandWidth>, 3> odd{};
+  // Integrals by level of roll damping, moment, direction and band.
+  std::array<std::array<HalfCircle<kBandWidth>, 3>, kRollDampingLevels> even{};
+  std::array<std::array<HalfCircle<kBandWidth>, 3>, kRollDampingLevels> odd{};
   HalfCircle<kBandWidth> cosine{};  // their transforms
   HalfCircle<kBandWidth> sine{};
-  HalfCircle<kSystemWidth> product_cosine{};  // of integrals and factors, by wave number and system
+  // Of integrals and factors, by wave number and column: heading_convolution.hpp.
+  HalfCircle<kSystemWidth> product_cosine{};
   HalfCircle<kSystemWidth> product_sine{};
   HalfCircle<kSystemWidth> part_even{};
   HalfCircle<kSystemWidth> part_odd{};
-  std::array<ByHeading, kMaxWaveSystems> by_system{};
   // Of a speed whose roll damping depends on roll: lateral motions at the dampings beyond the first (of a
   // shifted ship: at all of them), moments of a channel at each, and what each counts for on every heading.
   std::array<std::array<LateralMotions, kMaxDampedLevels>, kNumSolvedDirections> damped{};

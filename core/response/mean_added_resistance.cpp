@@ -31,9 +31,9 @@ void integrate(const TransferFunctions& transfer, const ResistanceRow& row, cons
 void transform(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
                std::size_t column, SweepWorkspace& work) {
   for (std::size_t m = 0; m <= kHalf; ++m) {
-    integrate(transfer, rows[m], sea, work.even[0][m]);
+    integrate(transfer, rows[m], sea, work.even[0][0][m]);
   }
-  cosine_transform(work.even[0], sea.num_bands, work.cosine);
+  cosine_transform(work.even[0][0], sea.num_bands, work.cosine);
   for (std::size_t k = 0; k <= kHalf; ++k) {
     double re = 0.0;
     double im = 0.0;  // minus the imaginary part

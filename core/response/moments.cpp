@@ -109,13 +109,12 @@ void add_channel(const Course& course, const Direction& direction, std::size_t c
   if (channel.form.wave > 0.0) {
     list_incident_wave(course.transfer, solved_direction(direction.m), channel.position, wave);
   }
+  const MetWaves met{course.transfer, course.speed, solved_direction(direction.m), direction.encounters};
   ChannelValues values;
-  list_values(course.transfer, course.speed, direction.m, channel, direction.at_level(level),
-              direction.encounters, wave, values);
+  list_values(met, is_mirrored(direction.m), channel, direction.at_level(level), wave, values);
   BandFactors integrals{};
   const auto all = [&](Moment moment) {
-    integrate_moment(course.transfer, course.speed, direction.m, direction.encounters, direction.shapes, sea,
-                     moment, values, integrals);
+    integrate_moment(met, direction.shapes, sea, moment, values, integrals);
     return weight * of_all_systems(sea, direction.energy, integrals);
   };
   out.m0 += all(Moment::kZeroth);
@@ -193,10 +192,11 @@ EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, st
   BandFactors integrals{};
   ChannelValues values;
   list_slow_waves(transfer, encounters, values.nodes);
-  integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kZeroth, values, integrals);
+  const MetWaves met{transfer, speed, solved_direction(m), encounters};
+  integrate_moment(met, shapes, sea, Moment::kZeroth, values, integrals);
   const double slow = of_all_systems(sea, energy, integrals);
   values.nodes.fill(1.0);
-  integrate_moment(transfer, speed, m, encounters, shapes, sea, Moment::kZeroth, values, integrals);
+  integrate_moment(met, shapes, sea, Moment::kZeroth, values, integrals);
   return {slow, of_all_systems(sea, energy, integrals)};
 }
 

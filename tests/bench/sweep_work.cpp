@@ -17,9 +17,11 @@ std::size_t num_motions(const Channel& channel) {
   return count;
 }
 
-// |H|^2 of one channel: 6 a motion and 3 for the square; a root of unity is not counted.
+// |H|^2 of one channel: 6 a motion and 3 for the square, for both sides 7 more; a root of unity is not
+// counted.
 double energy_flops(const Channel& channel, std::size_t count) {
-  return static_cast<double>(count) * (6.0 * static_cast<double>(num_motions(channel)) + 3.0);
+  const double squares = is_symmetric(channel) ? 3.0 : 10.0;
+  return static_cast<double>(count) * (6.0 * static_cast<double>(num_motions(channel)) + squares);
 }
 
 double band_flops(const SeaEnergy& sea) {
@@ -68,11 +70,11 @@ SweepWork sweep_work(const GridInputs& inputs) {
           1.0 + (channel.form.wave > 0.0 ? 1.0 : 0.0) + (inputs.channels.is_watched[c] && v > 0 ? 1.0 : 0.0);
       for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
         const double sides = has_sides ? 2.0 : 1.0;
-        out.flops += sides * energy_flops(channel, transfer.num_frequencies);
+        out.flops += energy_flops(channel, transfer.num_frequencies);
         out.flops += sides * moments * band_flops(inputs.sea);
         if (feels_roll(channel)) {
           const RollPeak& peak = transfer.peak[v][m];
-          out.flops += sides * (energy_flops(channel, peak.num_points) + peak_flops_of(peak, inputs.sea));
+          out.flops += energy_flops(channel, peak.num_points) + sides * peak_flops_of(peak, inputs.sea);
         }
       }
       out.flops += moments * convolution_flops(inputs.sea, has_sides);
