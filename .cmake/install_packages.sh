@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and nothing when none is.
-#   .cmake/install_packages.sh build|test|demo|fuzz ...
+#   .cmake/install_packages.sh build|test|demo|fuzz|arm64 ...
 # Needs Debian 12, Ubuntu 24.04 or newer (CMake 3.25), and root or sudo when something is missing.
 set -euo pipefail
 
@@ -12,6 +12,7 @@ test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm)
 demo=(iproute2 util-linux gnuplot-nox chromium)
 fuzz=(clang-14 libclang-rt-14-dev)
+arm64=(g++-aarch64-linux-gnu qemu-user-static)
 
 wanted=()
 for set in "$@"; do
@@ -20,7 +21,8 @@ for set in "$@"; do
     test) wanted+=("${test[@]}") ;;
     demo) wanted+=("${demo[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
-    *) echo "usage: install_packages.sh build|test|demo|fuzz ..." >&2; exit 2 ;;
+    arm64) wanted+=("${arm64[@]}") ;;
+    *) echo "usage: install_packages.sh build|test|demo|fuzz|arm64 ..." >&2; exit 2 ;;
   esac
 done
 

@@ -236,6 +236,11 @@ void add_replay(CLI::App& app) {
       "Sends the inputs, with QS_TIME, to a running advisor (--clock log) instead of computing; at "
       "speed max in step with its answers");
   command->add_option("--url", options->far.url, "With --publish: LCM URL")->capture_default_str();
+  command
+      ->add_option(
+          "--answer-s", options->far.answer_s,
+          "With --publish at speed max: how long the first answer may take; later ones a tenth of it")
+      ->capture_default_str();
   command->add_option("--limits", options->limits, "Limits file; default NORDFORSK 1987 for merchant ships");
   command
       ->add_option(
