@@ -1,6 +1,8 @@
 #include "msgs/files/lcm_log.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -34,6 +36,16 @@ bool holds_sync(std::span<const std::uint8_t> bytes) {
 
 char* as_chars(std::uint8_t* bytes) {
   return reinterpret_cast<char*>(bytes);
+}
+
+/// A power cut after this loses nothing of a file, or of the names in a folder.
+bool reach_the_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_there = file >= 0 && fsync(file) == 0;
+  if (file >= 0) {
+    ::close(file);
+  }
+  return is_there;
 }
 
 }  // namespace
@@ -246,6 +258,9 @@ FileStatus LcmLogWriter::append(std::int64_t utime, std::string_view channel,
 FileStatus LcmLogWriter::finish() {
   stream_.close();
   std::error_code code;
+  if (stream_ && !reach_the_disk(beside_)) {
+    stream_.setstate(std::ios::failbit);
+  }
   if (stream_) {
     std::filesystem::rename(beside_, path_, code);
   }
@@ -254,6 +269,8 @@ FileStatus LcmLogWriter::finish() {
     std::filesystem::remove(beside_, ignored);
     return error("cannot be written");
   }
+  const std::filesystem::path folder = path_.parent_path();
+  static_cast<void>(reach_the_disk(folder.empty() ? "." : folder));  // the name: some file systems cannot
   return {};
 }
 

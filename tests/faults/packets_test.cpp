@@ -95,6 +95,31 @@ TEST_F(Packets, LostOnesShowAsAgeAndThenAsNoAdvice) {
   ASSERT_TRUE(until_good());
 }
 
+// A test rig on the ship's network: well-formed, plausible, newer, and nobody's instrument.
+TEST_F(Packets, AForeignSenderIsRefusedCountedAndNeverUsed) {
+  advisor_.kill_hard();
+  start({"--allow-source", "SEA_STATE=" + std::to_string(kSeaSource), "--allow-source",
+         "OWN_SHIP=" + std::to_string(kShipSource)});
+  send_sea(kBadSea_m);
+  ASSERT_TRUE(until([this] { return advice_.verdict == int{advice_t::VERDICT_EXCEEDED}; })) << why_not();
+  for (int i = 0; i < 20; ++i) {
+    sea_state_t sea = beam_sea(now(), kGoodSea_m, 7000 + i);
+    sea.source_id = kSeaSource + 1;
+    own_ship_t ship = ship_at(now(), 90.0, 7100 + i);
+    ship.source_id = kShipSource + 1;
+    send_bytes("QS_SEA_STATE", test::encoded(sea));  // unknown to the checker: advice on it is a fault
+    send_bytes("QS_OWN_SHIP", test::encoded(ship));
+    listen(0.05);
+  }
+  ASSERT_TRUE(until([this] {
+    return health_.input_refused[kSea] >= 20 && health_.input_refused[kShip] >= 20;
+  })) << health_.input_refused[kSea]
+      << " " << health_.input_refused[kShip];
+  EXPECT_EQ(advice_.input_source_id[kSea], kSeaSource);
+  EXPECT_EQ(advice_.input_source_id[kShip], kShipSource);
+  expect_unmoved();
+}
+
 /// Each with one thing absurd in it, of the right type.
 sea_state_t absurd_sea(sea_state_t sea, int which) {
   switch (which % 12) {

@@ -28,10 +28,12 @@ std::span<const Target> targets() {
       Target{"entry", run_entry, entry_seeds, 3000},
       Target{"session", run_session, session_seeds, 60},
       Target{"step", run_step, step_seeds, 60},
-      Target{"state", run_state, state_seeds, 400},
+      Target{"state", run_state, state_seeds, 150},
       Target{"ndbc", run_ndbc, ndbc_seeds, 800},
       Target{"transfer", run_transfer, transfer_seeds, 3000},
       Target{"list", run_list, list_seeds, 5000},
+      Target{"frames", run_frames, frames_seeds, 300},
+      Target{"config", run_config, config_seeds, 500},
   };
   return kTargets;
 }

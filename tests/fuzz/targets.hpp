@@ -85,4 +85,12 @@ std::vector<Bytes> ndbc_seeds();
 std::vector<Bytes> transfer_seeds();
 std::vector<Bytes> list_seeds();
 
+/// A board's serial line: frames, and the session behind them.
+void run_frames(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> frames_seeds();
+
+/// A configuration file of the kind that --config reads.
+void run_config(std::span<const std::uint8_t> bytes);
+std::vector<Bytes> config_seeds();
+
 }  // namespace quickstrip::fuzz
