@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -194,12 +196,28 @@ std::string WebDriver::text(const std::string& css) {
   return run("return document.querySelector(arguments[0]).textContent", {css}).get<std::string>();
 }
 
+// The window's own frame is added by the browser: what counts is the page's size. A page takes its new size a
+// little after the window has.
 void WebDriver::resize(int width, int height) {
-  // The window's own frame is added by the browser: what counts is the page's size.
-  post("/window/rect", {{"width", width}, {"height", height}});
-  const json inner = run("return [innerWidth, innerHeight]");
-  post("/window/rect",
-       {{"width", width + width - inner[0].get<int>()}, {"height", height + height - inner[1].get<int>()}});
+  constexpr int kWidestFrame = 300;
+  int frame_width = 0;
+  int frame_height = 0;
+  for (int i = 0; i < 40; ++i) {
+    post("/window/rect", {{"width", width + frame_width}, {"height", height + frame_height}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(i < 2 ? 0 : 50));
+    const json inner = run("return [innerWidth, innerHeight]");
+    const int missing_width = width - inner[0].get<int>();
+    const int missing_height = height - inner[1].get<int>();
+    if (missing_width == 0 && missing_height == 0) {
+      return;
+    }
+    // More than a frame is a page that has not followed yet.
+    if (std::abs(missing_width) <= kWidestFrame && std::abs(missing_height) <= kWidestFrame) {
+      frame_width = std::clamp(frame_width + missing_width, 0, kWidestFrame);
+      frame_height = std::clamp(frame_height + missing_height, 0, kWidestFrame);
+    }
+  }
+  throw std::runtime_error("the page does not take its size");
 }
 
 void WebDriver::save_screenshot(const std::filesystem::path& png) {
