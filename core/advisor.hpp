@@ -1,4 +1,4 @@
-// The advisor: configure once, then one step a cycle. Owns all of its memory but the hull (6.3 MB: make it
+// The advisor: configure once, then one step a cycle. Owns all of its memory but the hull (6.4 MB: make it
 // static, never on the stack); allocates nothing, knows no clock, reads no file.
 //
 //   static Advisor advisor;
