@@ -32,7 +32,9 @@ std::array<NodeStencil, 2> node_stencils(const LoadedHull& hull, Pair omega_e) {
       continue;
     }
     // Nodes are even: the middle one is the nearest, kept off both ends, and u the place from it in steps.
-    const auto middle = std::clamp<std::size_t>(static_cast<std::size_t>(place[l] + 0.5), 1, kLast - 1);
+    // Not negative, so that the cast rounds to the nearest.
+    const auto nearest = static_cast<std::size_t>(place[l] + 0.5);  // NOLINT(bugprone-incorrect-roundings)
+    const auto middle = std::clamp<std::size_t>(nearest, 1, kLast - 1);
     const double u = place[l] - static_cast<double>(middle);
     at.first = middle - 1;
     at.weight = {0.5 * u * (u - 1.0), (1.0 - u) * (1.0 + u), 0.5 * u * (u + 1.0)};
