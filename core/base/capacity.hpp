@@ -29,6 +29,8 @@ struct Host {
   static constexpr std::size_t kNumDirections = 72;
   // Wave frequencies of the transfer functions: resolves a JONSWAP peak of Tp 4 ... 25 s within 2 % of m0.
   static constexpr std::size_t kMaxFrequencies = 48;
+  // Rows of numbers that a cycle streams begin on a line of the processor's memory.
+  static constexpr std::size_t kCacheLine = 64;
   // The roll peak between the wave frequencies: intervals of one speed and direction that are looked into,
   // and points in them, three a panel. Measured enough for a ratio of damping of 0.02 (tests/advice).
   static constexpr std::size_t kMaxPeakIntervals = 14;
@@ -47,6 +49,9 @@ struct Host {
   static constexpr std::size_t kMaxWaveSystems = 6;
   static constexpr std::size_t kMaxSpectrumFrequencies = 64;
   static constexpr std::size_t kMaxSpectrumDirections = 72;
+  // Integrals of a sweep by direction, before they are turned into headings: of every channel in a few wave
+  // systems, of a few channels at a time in a measured spectrum (core/response/heading_integrals.hpp).
+  static constexpr std::size_t kSweepColumns = 4096;
   // Whether what is kept of a loaded hull is kept in single precision (core/base/held.hpp).
   static constexpr bool kHoldsSinglePrecision = false;
   // Criteria of a profile: seven kinds, the local ones at several places.
@@ -72,6 +77,7 @@ struct M7 {
   static constexpr std::size_t kMaxSpeeds = 8;
   static constexpr std::size_t kNumDirections = 36;
   static constexpr std::size_t kMaxFrequencies = 24;
+  static constexpr std::size_t kCacheLine = 8;  // no lines: tightly packed
   static constexpr std::size_t kMaxPeakIntervals = 4;
   static constexpr std::size_t kMaxPeakPoints = 12;
   static constexpr std::size_t kRollDampingLevels = 2;
@@ -82,6 +88,7 @@ struct M7 {
   // No measured spectrum, for two frequencies are none: the bands of one as a buoy gives it would take 75 kB.
   static constexpr std::size_t kMaxSpectrumFrequencies = 2;
   static constexpr std::size_t kMaxSpectrumDirections = 4;
+  static constexpr std::size_t kSweepColumns = 128;
   static constexpr bool kHoldsSinglePrecision = true;
   static constexpr std::size_t kMaxCriteria = 12;
   static constexpr std::size_t kEnsembleMembers = 0;    // no room
@@ -119,6 +126,7 @@ inline constexpr std::size_t kMaxHeadings = kNumDirections;
 inline constexpr std::size_t kNumSolvedDirections = kNumDirections / 2 + 1;
 
 inline constexpr std::size_t kMaxFrequencies = capacity::Profile::kMaxFrequencies;
+inline constexpr std::size_t kCacheLine = capacity::Profile::kCacheLine;
 inline constexpr std::size_t kMaxPeakIntervals = capacity::Profile::kMaxPeakIntervals;
 inline constexpr std::size_t kMaxPeakPoints = capacity::Profile::kMaxPeakPoints;
 inline constexpr std::size_t kRollDampingLevels = capacity::Profile::kRollDampingLevels;
@@ -142,6 +150,8 @@ inline constexpr std::size_t kMaxSpectrumDirections = capacity::Profile::kMaxSpe
 // Bands of wave energy on the grid: a measured spectrum's frequencies, and one at either end for what lies
 // outside the transfer functions' frequencies.
 inline constexpr std::size_t kMaxEnergyBands = kMaxSpectrumFrequencies + 2;
+
+inline constexpr std::size_t kSweepColumns = capacity::Profile::kSweepColumns;
 
 inline constexpr bool kHoldsSinglePrecision = capacity::Profile::kHoldsSinglePrecision;
 

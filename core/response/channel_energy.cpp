@@ -12,46 +12,63 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kHalfCircle = kNumDirections / 2;
+constexpr std::array<std::size_t, 3> kLongitudinalModes = {0, 2, 4};  // surge, heave, pitch
+
+bool is_slow(double omega, double omega_e, double floor) {
+  return std::fabs(omega_e) < std::max(floor, kSlowEncounter * omega);
+}
 
 bool is_lateral(std::size_t mode) {
   return mode % 2 == 1;  // sway, roll, yaw
 }
 
 struct Coefficient {
-  double displacement = 0.0;
-  double acceleration = 0.0;
-  [[nodiscard]] bool is_absent() const { return displacement == 0.0 && acceleration == 0.0; }
+  float displacement = 0.0F;
+  float acceleration = 0.0F;
 };
 
+bool is_absent(const LinearForm& form, std::size_t mode) {
+  return form.displacement[mode] == 0.0 && form.acceleration[mode] == 0.0;
+}
+
 Coefficient coefficient_of(const LinearForm& form, std::size_t mode) {
-  return {form.displacement[mode], form.acceleration[mode]};
+  return {static_cast<float>(form.displacement[mode]), static_cast<float>(form.acceleration[mode])};
 }
 
 bool has_motion(const LinearForm& form, bool lateral) {
   for (std::size_t mode = 0; mode < 6; ++mode) {
-    if (is_lateral(mode) == lateral && !coefficient_of(form, mode).is_absent()) {
+    if (is_lateral(mode) == lateral && !is_absent(form, mode)) {
       return true;
     }
   }
   return false;
 }
 
-// Adds (displacement + omega_e^2 acceleration) times a motion, in place.
-template <std::size_t N, typename Motion>
-void add_motion(const Coefficient& c, const std::array<double, N>& omega_e, const Motion& re_of,
-                const Motion& im_of, std::size_t n, std::array<double, N>& re, std::array<double, N>& im) {
-  for (std::size_t f = 0; f < n; ++f) {
-    const double factor = c.displacement + c.acceleration * (omega_e[f] * omega_e[f]);
-    re[f] += factor * static_cast<double>(re_of[f]);
-    im[f] += factor * static_cast<double>(im_of[f]);
+// Adds (displacement + omega_e^2 acceleration) times a motion, in place; whole groups.
+template <std::size_t N>
+void add_motion(const Coefficient& c, const std::array<float, N>& squared, const std::array<float, N>& re_of,
+                const std::array<float, N>& im_of, std::size_t n, std::array<float, N>& re,
+                std::array<float, N>& im) {
+  for (std::size_t f = 0; f < n; f += kLanes) {
+    std::array<float, kLanes> sum_re;
+    std::array<float, kLanes> sum_im;
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      const float factor = c.displacement + c.acceleration * squared[f + j];
+      sum_re[j] = re[f + j] + factor * re_of[f + j];
+      sum_im[j] = im[f + j] + factor * im_of[f + j];
+    }
+    for (std::size_t j = 0; j < kLanes; ++j) {
+      re[f + j] = sum_re[j];
+      im[f + j] = sum_im[j];
+    }
   }
 }
 
 template <std::size_t N>
-void square(const std::array<double, N>& re, const std::array<double, N>& im, std::size_t n,
+void square(const std::array<float, N>& re, const std::array<float, N>& im, std::size_t n,
             std::array<double, N>& out) {
   for (std::size_t f = 0; f < n; ++f) {
-    out[f] = re[f] * re[f] + im[f] * im[f];
+    out[f] = static_cast<double>(re[f] * re[f] + im[f] * im[f]);
   }
 }
 
@@ -82,42 +99,38 @@ void raise_by_swell_up(const DynamicSwellUp& swell_up, double speed, const NodeV
   }
 }
 
-// Between the frequencies, on a straight line.
-void to_points(const TransferFunctions& transfer, const RollPeak& peak, const MotionRow::ByFrequency& values,
-               PointValues& out) {
-  for (const PeakInterval& interval : peak.intervals) {
-    const std::size_t i = interval.node;
-    const double from = transfer.omega[i];
-    const double slope = (static_cast<double>(values[i + 1]) - static_cast<double>(values[i])) /
-                         (transfer.omega[i + 1] - from);
-    for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
-      out[p] = static_cast<double>(values[i]) + slope * (static_cast<double>(peak.omega[p]) - from);
+void start(const WaveThere* there, bool has_points, ChannelPart& out) {
+  if (there != nullptr) {
+    const float side = there->is_conjugate ? -1.0F : 1.0F;
+    out.re = there->wave.re;
+    for (std::size_t f = 0; f < kMaxFrequencies; ++f) {
+      out.im[f] = side * there->wave.im[f];
     }
-  }
-}
-
-void start(const IncidentWave* wave, bool has_points, ChannelPart& out) {
-  if (wave != nullptr) {
-    out.re = wave->re;
-    out.im = wave->im;
   } else {
-    out.re.fill(0.0);
-    out.im.fill(0.0);
+    out.re.fill(0.0F);
+    out.im.fill(0.0F);
   }
   if (has_points) {
-    out.point_re.fill(0.0);
-    out.point_im.fill(0.0);
+    out.point_re.fill(0.0F);
+    out.point_im.fill(0.0F);
   }
 }
 
 template <std::size_t N>
-void even_and_odd(const std::array<double, N>& a_re, const std::array<double, N>& a_im,
-                  const std::array<double, N>& b_re, const std::array<double, N>& b_im, std::size_t n,
+void even_and_odd(const std::array<float, N>& a_re, const std::array<float, N>& a_im,
+                  const std::array<float, N>& b_re, const std::array<float, N>& b_im, std::size_t n,
                   std::array<double, N>& even, std::array<double, N>& odd) {
   for (std::size_t f = 0; f < n; ++f) {
-    even[f] = (a_re[f] * a_re[f] + a_im[f] * a_im[f]) + (b_re[f] * b_re[f] + b_im[f] * b_im[f]);
-    odd[f] = 2.0 * (a_re[f] * b_re[f] + a_im[f] * b_im[f]);
+    even[f] = static_cast<double>((a_re[f] * a_re[f] + a_im[f] * a_im[f]) +
+                                  (b_re[f] * b_re[f] + b_im[f] * b_im[f]));
+    odd[f] = static_cast<double>(2.0F * (a_re[f] * b_re[f] + a_im[f] * b_im[f]));
   }
+}
+
+// What fills the last group weighs nothing, and must be a number.
+void close_points(std::size_t num_points, ChannelValues& out) {
+  std::fill(out.points.begin() + static_cast<std::ptrdiff_t>(num_points),
+            out.points.begin() + static_cast<std::ptrdiff_t>(whole_lanes(num_points)), 0.0);
 }
 
 // What squares are multiplied by: of a velocity, and of relative motion where the water swells up.
@@ -157,14 +170,6 @@ bool is_symmetric(const Channel& channel) {
   return !feels_roll(channel) || !(has_motion(channel.form, false) || channel.form.wave != 0.0);
 }
 
-namespace {
-
-bool is_slow(double omega, double omega_e, double floor) {
-  return std::fabs(omega_e) < std::max(floor, kSlowEncounter * omega);
-}
-
-}  // namespace
-
 void list_slow_waves(const TransferFunctions& transfer, const Encounters& encounters, NodeValues& out) {
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
     out[f] = is_slow(transfer.omega[f], encounters.frequency[f], transfer.encounter_floor[f]) ? 1.0 : 0.0;
@@ -173,21 +178,37 @@ void list_slow_waves(const TransferFunctions& transfer, const Encounters& encoun
 
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
                      Encounters& out) {
-  out.has_low = false;
-  out.has_slow = false;
+  out.low = {};
   const double slope = transfer.speeds[speed] * std::cos(relative_direction(solved_m).radians);
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
     out.frequency[f] = transfer.omega[f] - transfer.wave_number[f] * slope;
+    out.squared[f] = static_cast<float>(out.frequency[f] * out.frequency[f]);
     const bool is_low = std::fabs(out.frequency[f]) < transfer.encounter_floor[f];
-    out.low[f] = is_low ? 1.0 : 0.0;
-    out.has_low = out.has_low || is_low;
-    out.has_slow = out.has_slow || is_slow(transfer.omega[f], out.frequency[f], transfer.encounter_floor[f]);
+    out.is_low[f] = is_low ? 1.0 : 0.0;
+    if (is_low) {
+      const LaneRange here = lanes_that_hold(f, f);
+      out.low = {out.low.is_empty() ? here.first : out.low.first, here.end};
+    }
   }
   const RollPeak& peak = transfer.peak[speed][solved_m];
   for (std::size_t p = 0; p < peak.num_points; ++p) {
     const auto omega = static_cast<double>(peak.omega[p]);
     out.at_points[p] = omega - wave_number(omega, transfer.gravity) * slope;
+    out.squared_at_points[p] = static_cast<float>(out.at_points[p] * out.at_points[p]);
   }
+}
+
+SlowEncounters find_slow_encounters(const TransferFunctions& transfer, std::size_t speed) {
+  SlowEncounters out;
+  for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
+    const double slope = transfer.speeds[speed] * std::cos(solved_angle(m).radians);
+    for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
+      const double met = transfer.omega[f] - transfer.wave_number[f] * slope;
+      out.has_low = out.has_low || std::fabs(met) < transfer.encounter_floor[f];
+      out.has_slow = out.has_slow || is_slow(transfer.omega[f], met, transfer.encounter_floor[f]);
+    }
+  }
+  return out;
 }
 
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
@@ -196,59 +217,77 @@ void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m,
   const EncounterAngle mu = relative_direction(solved_m);
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
     const std::complex<double> wave = incident_wave(position, transfer.wave_number[f], mu);
-    out.re[f] = wave.real();
-    out.im[f] = wave.imag();
+    out.re[f] = static_cast<float>(wave.real());
+    out.im[f] = static_cast<float>(wave.imag());
   }
 }
 
-void longitudinal_part(const MetWaves& met, const Channel& channel, const IncidentWave& wave,
-                       ChannelPart& out) {
-  const std::size_t n = met.transfer.num_frequencies;
-  const RollPeak& peak = met.peak();
-  const bool has_points = feels_roll(channel) && peak.num_points > 0;
-  QS_CHECK(!has_points || channel.form.wave == 0.0);
-  start(channel.form.wave > 0.0 ? &wave : nullptr, has_points, out);
-  for (const std::size_t mode : {0U, 2U, 4U}) {
-    const Coefficient c = coefficient_of(channel.form, mode);
-    if (c.is_absent()) {
+// Between the frequencies, on a straight line.
+void list_longitudinal(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
+                       LongitudinalMotions& out) {
+  const MotionRow& row = transfer.row[speed][solved_m];
+  const RollPeak& peak = transfer.peak[speed][solved_m];
+  for (const PeakInterval& interval : peak.intervals) {
+    const std::size_t node = interval.node;
+    const double from = transfer.omega[node];
+    const double by_width = 1.0 / (transfer.omega[node + 1] - from);
+    for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
+      const auto place = static_cast<float>((static_cast<double>(peak.omega[p]) - from) * by_width);
+      for (std::size_t i = 0; i < kLongitudinalModes.size(); ++i) {
+        const auto& re = row.re[kLongitudinalModes[i]];
+        const auto& im = row.im[kLongitudinalModes[i]];
+        out.re[i][p] = re[node] + place * (re[node + 1] - re[node]);
+        out.im[i][p] = im[node] + place * (im[node + 1] - im[node]);
+      }
+    }
+  }
+}
+
+void longitudinal_part(const MetWaves& met, const Channel& channel, const WaveThere& wave, ChannelPart& out) {
+  const Encounters& encounters = met.encounters;
+  const std::size_t n = whole_lanes(met.transfer.num_frequencies);
+  const std::size_t num_points = feels_roll(channel) ? whole_lanes(met.peak().num_points) : 0;
+  QS_CHECK(num_points == 0 || channel.form.wave == 0.0);
+  start(channel.form.wave > 0.0 ? &wave : nullptr, num_points > 0, out);
+  for (std::size_t i = 0; i < kLongitudinalModes.size(); ++i) {
+    const std::size_t mode = kLongitudinalModes[i];
+    if (is_absent(channel.form, mode)) {
       continue;
     }
-    add_motion(c, met.encounters.frequency, met.row().re[mode], met.row().im[mode], n, out.re, out.im);
-    if (has_points) {
-      PointValues re_of;
-      PointValues im_of;
-      to_points(met.transfer, peak, met.row().re[mode], re_of);
-      to_points(met.transfer, peak, met.row().im[mode], im_of);
-      add_motion(c, met.encounters.at_points, re_of, im_of, peak.num_points, out.point_re, out.point_im);
-    }
+    const Coefficient c = coefficient_of(channel.form, mode);
+    add_motion(c, encounters.squared, met.row().re[mode], met.row().im[mode], n, out.re, out.im);
+    add_motion(c, encounters.squared_at_points, met.longitudinal.re[i], met.longitudinal.im[i], num_points,
+               out.point_re, out.point_im);
   }
 }
 
 void lateral_part(const MetWaves& met, const Channel& channel, const LateralMotions* damped,
                   ChannelPart& out) {
+  const Encounters& encounters = met.encounters;
   const RollPeak& peak = met.peak();
-  start(nullptr, peak.num_points > 0, out);
+  const std::size_t n = whole_lanes(met.transfer.num_frequencies);
+  const std::size_t num_points = whole_lanes(peak.num_points);
+  start(nullptr, num_points > 0, out);
   for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
     const std::size_t mode = kPeakModes[i];
-    const Coefficient c = coefficient_of(channel.form, mode);
-    if (c.is_absent()) {
+    if (is_absent(channel.form, mode)) {
       continue;
     }
-    add_motion(c, met.encounters.frequency, damped != nullptr ? damped->re[i] : met.row().re[mode],
-               damped != nullptr ? damped->im[i] : met.row().im[mode], met.transfer.num_frequencies, out.re,
-               out.im);
-    add_motion(c, met.encounters.at_points, damped != nullptr ? damped->point_re[i] : peak.re[i],
-               damped != nullptr ? damped->point_im[i] : peak.im[i], peak.num_points, out.point_re,
-               out.point_im);
+    const Coefficient c = coefficient_of(channel.form, mode);
+    add_motion(c, encounters.squared, damped != nullptr ? damped->re[i] : met.row().re[mode],
+               damped != nullptr ? damped->im[i] : met.row().im[mode], n, out.re, out.im);
+    add_motion(c, encounters.squared_at_points, damped != nullptr ? damped->point_re[i] : peak.re[i],
+               damped != nullptr ? damped->point_im[i] : peak.im[i], num_points, out.point_re, out.point_im);
   }
 }
 
 void list_square(const MetWaves& met, const Channel& channel, const ChannelPart& part, ChannelValues& out) {
   const std::size_t num_points = met.peak().num_points;
   out.has_points = feels_roll(channel) && num_points > 0;
-  square(part.re, part.im, met.transfer.num_frequencies, out.nodes);
+  square(part.re, part.im, whole_lanes(met.transfer.num_frequencies), out.nodes);
   if (out.has_points) {
-    square(part.point_re, part.point_im, num_points, out.points);
+    square(part.point_re, part.point_im, whole_lanes(num_points), out.points);
+    close_points(num_points, out);
   }
   raise(met, channel, out);
 }
@@ -260,8 +299,11 @@ void list_even_odd(const MetWaves& met, const Channel& channel, const ChannelPar
   const std::size_t num_points = met.peak().num_points;
   even.has_points = num_points > 0;
   odd.has_points = num_points > 0;
-  even_and_odd(a.re, a.im, b.re, b.im, met.transfer.num_frequencies, even.nodes, odd.nodes);
-  even_and_odd(a.point_re, a.point_im, b.point_re, b.point_im, num_points, even.points, odd.points);
+  even_and_odd(a.re, a.im, b.re, b.im, whole_lanes(met.transfer.num_frequencies), even.nodes, odd.nodes);
+  even_and_odd(a.point_re, a.point_im, b.point_re, b.point_im, whole_lanes(num_points), even.points,
+               odd.points);
+  close_points(num_points, even);
+  close_points(num_points, odd);
   raise(met, channel, even);
   raise(met, channel, odd);
 }

@@ -7,6 +7,8 @@
 // sides see the same incident wave.
 // At the points of the peak, surge, heave and pitch lie on a straight line between the frequencies: they do
 // not resound there.
+// Composed and squared in single precision, in which the motions are kept (6e-8 of the largest motion in the
+// form); what is integrated is double.
 // Cost: (motions in the form) x 6 + 3 flops a frequency, for both sides 7 more.
 #pragma once
 
@@ -15,6 +17,7 @@
 
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
+#include "core/base/lanes.hpp"
 #include "core/response/watch.hpp"
 #include "core/strip/transfer_functions.hpp"
 
@@ -35,17 +38,27 @@ bool is_symmetric(const Channel& channel);
 
 using NodeValues = std::array<double, kMaxFrequencies>;
 using PointValues = std::array<double, kMaxPeakPoints>;
+using NodeParts = std::array<float, kMaxFrequencies>;
+using PointParts = std::array<float, kMaxPeakPoints>;
 
 /// How the waves of one direction are met, by frequency.
 struct Encounters {
-  NodeValues frequency{};   // omega_e, signed [rad/s]
-  NodeValues low{};         // 1 below the floor, else 0
-  PointValues at_points{};  // omega_e at the points of the roll peak
-  bool has_low = false;
-  bool has_slow = false;  // any that list_slow_waves() marks
+  NodeValues frequency{};          // omega_e, signed [rad/s]
+  PointValues at_points{};         // at the points of the roll peak
+  NodeParts squared{};             // omega_e^2
+  PointParts squared_at_points{};  // the same
+  LaneRange low{};                 // holds every frequency whose wave is met below the floor
+  NodeValues is_low{};             // 1 below the floor, else 0
 };
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
                      Encounters& out);
+
+/// Whether any wave of any direction is met below the floor, or is one that list_slow_waves() marks.
+struct SlowEncounters {
+  bool has_low = false;
+  bool has_slow = false;
+};
+SlowEncounters find_slow_encounters(const TransferFunctions& transfer, std::size_t speed);
 
 /// Waves that linear motions say nothing about: they are met below the floor, or more slowly than a third of
 /// their own frequency, TE > 3 TW. There the ship runs along with the wave, surges and yaws on it, and what
@@ -57,28 +70,36 @@ inline constexpr double kSlowEncounter = 1.0 / 3.0;
 void list_slow_waves(const TransferFunctions& transfer, const Encounters& encounters, NodeValues& out);
 
 /// The incident wave at a position on the centre line, by frequency, times e^{i omega_e t}.
-struct IncidentWave {
-  NodeValues re{};
-  NodeValues im{};
+struct alignas(kCacheLine) IncidentWave {
+  NodeParts re{};
+  NodeParts im{};
 };
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
                         IncidentWave& out);
 
 /// Sway, roll and yaw of one speed and direction at another roll damping (damped_motions.hpp).
-struct LateralMotions {
+struct alignas(kCacheLine) LateralMotions {
   std::array<std::array<float, kMaxFrequencies>, 3> re{};
   std::array<std::array<float, kMaxFrequencies>, 3> im{};
   std::array<std::array<float, kMaxPeakPoints>, 3> point_re{};
   std::array<std::array<float, kMaxPeakPoints>, 3> point_im{};
 };
 
+/// Surge, heave and pitch at the points of the roll peak.
+struct alignas(kCacheLine) LongitudinalMotions {
+  std::array<PointParts, 3> re{};
+  std::array<PointParts, 3> im{};
+};
+void list_longitudinal(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
+                       LongitudinalMotions& out);
+
 /// What some of the motions make of a channel: at the wave frequencies and, where the channel feels roll, at
 /// the points of its peak.
-struct ChannelPart {
-  NodeValues re{};
-  NodeValues im{};
-  PointValues point_re{};
-  PointValues point_im{};
+struct alignas(kCacheLine) ChannelPart {
+  NodeParts re{};
+  NodeParts im{};
+  PointParts point_re{};
+  PointParts point_im{};
 };
 
 /// Of one speed and solved direction.
@@ -87,15 +108,21 @@ struct MetWaves {
   std::size_t speed;
   std::size_t solved_m;
   const Encounters& encounters;
+  const LongitudinalMotions& longitudinal;
 
   [[nodiscard]] const MotionRow& row() const { return transfer.row[speed][solved_m]; }
   [[nodiscard]] const RollPeak& peak() const { return transfer.peak[speed][solved_m]; }
 };
 
-/// Surge, heave, pitch and the wave: the same from both sides of the ship. `wave`: at the channel's position;
-/// read only where the form has a wave, which a channel that feels roll has not.
-void longitudinal_part(const MetWaves& met, const Channel& channel, const IncidentWave& wave,
-                       ChannelPart& out);
+/// The wave at a channel's position, or its complex conjugate.
+struct WaveThere {
+  const IncidentWave& wave;
+  bool is_conjugate = false;
+};
+
+/// Surge, heave, pitch and the wave: the same from both sides of the ship. `wave` is read only where the form
+/// has a wave, which a channel that feels roll has not.
+void longitudinal_part(const MetWaves& met, const Channel& channel, const WaveThere& wave, ChannelPart& out);
 
 /// Sway, roll and yaw: of the other sign from the port side. `damped`: in place of those of the transfer
 /// functions; may be null.
@@ -103,7 +130,7 @@ void lateral_part(const MetWaves& met, const Channel& channel, const LateralMoti
                   ChannelPart& out);
 
 /// |H|^2 of a channel, or what its two sides have in common or apart.
-struct ChannelValues {
+struct alignas(kCacheLine) ChannelValues {
   NodeValues nodes{};
   PointValues points{};
   bool has_points = false;

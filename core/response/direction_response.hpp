@@ -4,10 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
+#include "core/response/band_weights.hpp"
 #include "core/response/channel_energy.hpp"
-#include "core/response/peak_terms.hpp"
 #include "core/sea/sea_energy.hpp"
 
 namespace quickstrip {
@@ -21,8 +20,12 @@ enum class Moment : std::uint8_t { kZeroth, kFirst, kSecond, kFourth, kLowEncoun
 void list_values(const MetWaves& met, bool is_from_port, const Channel& channel, const LateralMotions* damped,
                  const IncidentWave& wave, ChannelValues& out);
 
-/// Integral over each band of the sea, out[b].
-void integrate_moment(const MetWaves& met, const PeakShapes& shapes, const SeaEnergy& sea, Moment moment,
-                      const ChannelValues& values, std::span<double> out);
+/// What is to be integrated, kLowEncounter apart: `values` or, after another moment, `room`.
+const ChannelValues& weigh(const MetWaves& met, Moment moment, const ChannelValues& values,
+                           ChannelValues& room);
+
+/// Integral over a band of a response as weigh() or, of kLowEncounter, list_values() leaves it.
+double integrate(const MetWaves& met, Moment moment, const EnergyBand& band, const BandWeights& weights,
+                 const ChannelValues& values);
 
 }  // namespace quickstrip

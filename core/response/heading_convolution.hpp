@@ -1,41 +1,51 @@
-// One channel, at one speed and one level of roll damping, from relative directions to headings: integrals
-// over the bands of the sea at every direction, then their convolution with what each system takes of a band.
-// The two steps of heading_moments.hpp, whose workspace they share.
+// From relative directions to headings: the second step of heading_moments.hpp. The columns of
+// heading_integrals.hpp, transformed over direction, times what each wave system takes of a band, and back.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
-#include "core/base/static_vector.hpp"
-#include "core/response/direction_response.hpp"
-#include "core/response/heading_moments.hpp"
+#include "core/base/capacity.hpp"
+#include "core/base/direction_transform.hpp"
+#include "core/response/heading_integrals.hpp"
+#include "core/sea/sea_energy.hpp"
 
 namespace quickstrip {
 
-/// One channel at one speed, or the waves themselves (null), and what is wanted of it.
-struct SweepSubject {
-  const TransferFunctions& transfer;
-  std::size_t speed;
-  const Channel* channel;
-  std::size_t wave;  // place among the incident waves
-  const SeaEnergy& sea;
-  std::size_t num_levels;  // of roll damping, 1 ... kRollDampingLevels
-  StaticVector<Moment, 3> moments;
+using ByHeading = std::array<double, kNumDirections>;
 
-  [[nodiscard]] bool has_sides() const { return channel != nullptr && !is_symmetric(*channel); }
+/// Columns of one channel on the way back: of each level of roll damping the first moment by system, then
+/// every other moment of all systems together.
+inline constexpr std::size_t kMaxHeadingColumns = kRollDampingLevels * (kMaxWaveSystems + 2);
+struct HeadingColumns {
+  using Blocks = std::array<ColumnBlock, (kMaxHeadingColumns + kTransformBlock - 1) / kTransformBlock>;
+  Blocks cosine{};  // by wave number; after turning back by direction, even and odd
+  Blocks sine{};
 };
 
-/// Integrals by relative direction and band, even and odd in direction, one set a level and moment.
-void integrate(const SweepSubject& subject, SweepWorkspace& work);
+/// All columns over direction, in place.
+void transform_columns(SweepColumns& columns);
 
-/// Column `column` of the transforms back to direction, times `scale`, by heading: waves from d meet a ship
-/// heading for h at m = h + half a turn - d.
-void read_headings(const SweepWorkspace& work, std::size_t column, double scale, ByHeading& out);
+/// Factors of a system times transformed integrals from columns `even` and, of a channel with sides, `odd`,
+/// added to a column; both are counted from their first block.
+struct ColumnPlace {
+  std::size_t even = 0;
+  std::size_t odd = 0;
+  bool has_sides = false;
+};
+void add_product(const SystemEnergy& part, const SweepColumns& columns, const ColumnPlace& from,
+                 std::size_t to, HeadingColumns& out);
 
-/// The moments of one level, into columns of the transforms back to direction: the first by system, then one
-/// column each for all systems together.
-void convolve(const SweepSubject& subject, std::size_t level, SweepWorkspace& work);
+/// Sets `count` columns to nothing.
+void clear(std::size_t count, HeadingColumns& out);
 
-/// A column, what is no more than rounding taken away.
-void read_moment(const SweepWorkspace& work, std::size_t column, ByHeading& out);
+/// Back to direction, `count` columns.
+void turn_back(std::size_t count, HeadingColumns& columns);
+
+/// A column times `scale`, by heading: waves from d meet a ship heading for h at m = h + half a turn - d.
+void read_headings(const HeadingColumns& columns, std::size_t column, double scale, ByHeading& out);
+
+/// A column of variances, what is no more than rounding taken away.
+void read_moment(const HeadingColumns& columns, std::size_t column, ByHeading& out);
 
 }  // namespace quickstrip

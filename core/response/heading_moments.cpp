@@ -4,12 +4,11 @@
 #include <span>
 
 #include "core/base/check.hpp"
-#include "core/response/heading_convolution.hpp"
 
 namespace quickstrip {
 namespace {
 
-constexpr std::size_t kHalf = kNumDirections / 2;
+constexpr std::size_t kQuarter = kNumDirections / 4;
 
 void want(Moment moment, bool is_wanted, SweepSubject& subject) {
   if (is_wanted) {
@@ -22,19 +21,19 @@ struct Sweep {
   const TransferFunctions& transfer;
   std::size_t speed;
   const Watch& watch;
-  const Needs& needs;
   const SeaEnergy& sea;
-  bool has_low;
+  const SweepOptions& options;
+  bool has_levels;  // of roll damping, or a shifted ship
 
   [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
 };
 
-/// What convolve() left in the columns.
-void read_moments(const SweepSubject& subject, const SweepWorkspace& work, ChannelMoments& out) {
-  const std::size_t num_systems = subject.sea.num_systems;
+/// What turn_back() left in the columns from `first` on.
+void read_moments(const SweepSubject& subject, std::size_t num_systems, std::size_t first,
+                  const HeadingColumns& columns, ChannelMoments& out) {
   out.m0.fill(0.0);
   for (std::size_t s = 0; s < num_systems; ++s) {
-    read_moment(work, s, out.m0_by_system[s]);
+    read_moment(columns, first + s, out.m0_by_system[s]);
     for (std::size_t h = 0; h < kNumDirections; ++h) {
       out.m0[h] += out.m0_by_system[s][h];
     }
@@ -42,23 +41,30 @@ void read_moments(const SweepSubject& subject, const SweepWorkspace& work, Chann
   out.m0_low_encounter.fill(0.0);
   for (std::size_t i = 1; i < subject.moments.size(); ++i) {
     const bool is_second = subject.moments[i] == Moment::kSecond;
-    read_moment(work, num_systems + i - 1, is_second ? out.m2 : out.m0_low_encounter);
+    read_moment(columns, first + num_systems + i - 1, is_second ? out.m2 : out.m0_low_encounter);
   }
 }
 
-/// Everything that is wanted of one channel, at `num_levels` of roll damping.
-void list_channel(const Sweep& sweep, std::size_t c, bool wants_second, SweepWorkspace& work,
-                  std::span<ChannelMoments> out) {
-  const Channel& channel = sweep.watch.channels[c];
-  SweepSubject subject{sweep.transfer, sweep.speed, &channel, work.wave_of[c], sweep.sea, out.size(), {}};
-  const bool wants_low = sweep.needs[c] == Need::kVarianceAndLowEncounter && sweep.has_low;
-  want(Moment::kZeroth, true, subject);
-  want(Moment::kSecond, wants_second, subject);
-  want(Moment::kLowEncounter, wants_low, subject);
-  integrate(subject, work);
-  for (std::size_t level = 0; level < out.size(); ++level) {
-    convolve(subject, level, work);
-    read_moments(subject, work, out[level]);
+/// Moments of one channel at each of its levels, from its transformed columns.
+void convolve(const SeaEnergy& sea, const SweepSubject& subject, SweepWorkspace& work,
+              std::span<ChannelMoments> out) {
+  const std::size_t num_moments = subject.moments.size();
+  const std::size_t by_level = sea.num_systems + num_moments - 1;
+  const std::size_t count = subject.num_levels * by_level;
+  clear(count, work.headings);
+  for (std::size_t level = 0; level < subject.num_levels; ++level) {
+    for (std::size_t i = 0; i < num_moments; ++i) {
+      const std::size_t offset = subject.offset(level, i, sea.num_bands);
+      const ColumnPlace from{subject.first_even + offset, subject.first_odd + offset, subject.has_sides()};
+      for (std::size_t s = 0; s < sea.num_systems; ++s) {
+        const std::size_t column = i == 0 ? s : sea.num_systems + i - 1;
+        add_product(sea.part[s], work.columns, from, level * by_level + column, work.headings);
+      }
+    }
+  }
+  turn_back(count, work.headings);
+  for (std::size_t level = 0; level < subject.num_levels; ++level) {
+    read_moments(subject, sea.num_systems, level * by_level, work.headings, out[level]);
   }
 }
 
@@ -74,13 +80,13 @@ void blend_part(SweepWorkspace& work, std::size_t num_levels, const Part& part, 
   }
 }
 
-void blend(const Sweep& sweep, bool has_second, SweepWorkspace& work, ChannelMoments& out) {
-  const std::size_t num_levels = sweep.levels().count;
+void blend(const Sweep& sweep, const SweepSubject& subject, SweepWorkspace& work, ChannelMoments& out) {
+  const std::size_t num_levels = subject.num_levels;
   blend_part(
       work, num_levels, [](ChannelMoments& of) -> ByHeading& { return of.m0; }, out);
   blend_part(
       work, num_levels, [](ChannelMoments& of) -> ByHeading& { return of.m0_low_encounter; }, out);
-  if (has_second) {
+  if (std::find(subject.moments.begin(), subject.moments.end(), Moment::kSecond) != subject.moments.end()) {
     blend_part(
         work, num_levels, [](ChannelMoments& of) -> ByHeading& { return of.m2; }, out);
   }
@@ -90,34 +96,26 @@ void blend(const Sweep& sweep, bool has_second, SweepWorkspace& work, ChannelMom
   }
 }
 
-void list_at_levels(const Sweep& sweep, std::size_t c, bool wants_second, SweepWorkspace& work) {
-  list_channel(sweep, c, wants_second, work, std::span(work.at_level).first(sweep.levels().count));
-}
-
-/// Lateral motions at the levels that the transfer functions do not hold themselves.
-void list_damped(const Sweep& sweep, const RollShift& shift, SweepWorkspace& work) {
+/// Dampings of roll at which lateral motions are found anew: beyond the one that the transfer functions were
+/// solved with, of a shifted ship all.
+StaticVector<RollAddition, kMaxDampedLevels> list_additions(const Sweep& sweep) {
   const RollDampingLevels& levels = sweep.levels();
-  std::array<RollAddition, kRollDampingLevels> addition{};
-  for (std::size_t l = 0; l < levels.count; ++l) {
-    addition[l].damping = levels.added[l] - levels.added[0];
-    addition[l].stiffness = shift.stiffness_part * sweep.transfer.roll_update[sweep.speed].table.stiffness;
+  const RollShift& shift = sweep.options.shift;
+  StaticVector<RollAddition, kMaxDampedLevels> out;
+  for (std::size_t l = shift.is_none() ? 1 : 0; sweep.has_levels && l < levels.count; ++l) {
+    RollAddition addition;
+    addition.damping = levels.count == 1 ? (shift.damping_factor - 1.0) * levels.added[0]
+                                         : levels.added[l] - levels.added[0];
+    addition.stiffness = shift.stiffness_part * sweep.transfer.roll_update[sweep.speed].table.stiffness;
+    QS_CHECK(out.push_back(addition));
   }
-  if (levels.count == 1) {
-    addition[0].damping = (shift.damping_factor - 1.0) * levels.added[0];
-  }
-  work.first_damped = shift.is_none() ? 1 : 0;
-  const auto wanted = std::span(addition).first(levels.count).subspan(work.first_damped);
-  QS_CHECK(wanted.size() <= kMaxDampedLevels);
-  for (std::size_t m = 0; m <= kHalf; ++m) {
-    damp_motions(sweep.transfer, sweep.speed, m, work.encounters[m], wanted, work.damped[m]);
-  }
+  return out;
 }
 
 /// From the moments of roll at each level, in work.at_level.
-void linearise_headings(const Sweep& sweep, const SweepOptions& options, SweepWorkspace& work,
-                        HeadingDamping& out) {
+void linearise_headings(const Sweep& sweep, SweepWorkspace& work, HeadingDamping& out) {
   const RollDampers dampers{sweep.transfer.roll_damping, sweep.levels(), sweep.transfer.speeds[sweep.speed],
-                            options.is_stabilised, options.shift.damping_factor};
+                            sweep.options.is_stabilised, sweep.options.shift.damping_factor};
   for (std::size_t h = 0; h < kNumDirections; ++h) {
     RollVariances variances;
     for (std::size_t l = 0; l < dampers.levels.count; ++l) {
@@ -133,6 +131,63 @@ void linearise_headings(const Sweep& sweep, const SweepOptions& options, SweepWo
   }
 }
 
+/// Roll first, where the damping of every other channel waits for it; then the others in the watch's order,
+/// and the slow waves.
+void list_subjects(const Sweep& sweep, const Needs& needs, const SlowEncounters& slow, std::size_t roll,
+                   SweepWorkspace& work) {
+  work.subjects.clear();
+  const auto add = [&](std::size_t c) {
+    const Channel& channel = sweep.watch.channels[c];
+    const bool is_damped = sweep.has_levels && feels_roll(channel);
+    SweepSubject subject{.channel = &channel,
+                         .place = c,
+                         .waves = channel.form.wave > 0.0 ? work.wave[work.wave_of[c]].data() : nullptr,
+                         .num_levels = is_damped ? sweep.levels().count : 1};
+    want(Moment::kZeroth, true, subject);
+    want(Moment::kSecond, needs_second_moment(channel) || (is_damped && c == roll), subject);
+    want(Moment::kLowEncounter, needs[c] == Need::kVarianceAndLowEncounter && slow.has_low, subject);
+    QS_CHECK(work.subjects.push_back(subject));
+  };
+  if (sweep.has_levels) {
+    add(roll);
+  }
+  for (std::size_t c = 0; c < sweep.watch.channels.size(); ++c) {
+    if (needs[c] != Need::kNone && !(sweep.has_levels && c == roll)) {
+      add(c);
+    }
+  }
+  if (sweep.options.counts_slow_waves && slow.has_slow) {
+    SweepSubject waves;
+    want(Moment::kZeroth, true, waves);
+    QS_CHECK(work.subjects.push_back(waves));
+  }
+}
+
+void read_slow_waves(const Sweep& sweep, const SweepSubject& waves, SweepWorkspace& work, ByHeading& out) {
+  convolve(sweep.sea, waves, work, std::span(work.at_level).first(1));
+  out = work.at_level[0].m0;
+}
+
+/// From transformed columns.
+void read_subject(const Sweep& sweep, const SweepSubject& subject, SweepWorkspace& work,
+                  HeadingMoments& out) {
+  if (subject.channel == nullptr) {
+    read_slow_waves(sweep, subject, work, out.slow_wave_energy);
+    return;
+  }
+  ChannelMoments& moments = out.channel[subject.place];
+  const bool is_damped = sweep.has_levels && feels_roll(*subject.channel);
+  if (!is_damped) {
+    convolve(sweep.sea, subject, work, {&moments, 1});
+    return;
+  }
+  convolve(sweep.sea, subject, work, std::span(work.at_level).first(subject.num_levels));
+  if (&subject == work.subjects.begin()) {  // roll
+    linearise_headings(sweep, work, out.roll_damping);
+  }
+  blend(sweep, subject, work, moments);
+}
+
 }  // namespace
 
 void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const Needs& needs,
@@ -145,7 +200,7 @@ void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const 
     }
     QS_CHECK(num_waves < work.wave.size());
     work.wave_of[c] = num_waves;
-    for (std::size_t m = 0; m <= kHalf / 2; ++m) {
+    for (std::size_t m = 0; m <= kQuarter; ++m) {
       list_incident_wave(transfer, m, watch.channels[c].position, work.wave[num_waves][m]);
     }
     ++num_waves;
@@ -155,52 +210,26 @@ void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const 
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
                           const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,
                           SweepWorkspace& work, HeadingMoments& out) {
-  const auto omega = std::span(transfer.omega).first(transfer.num_frequencies);
-  bool has_low = false;
-  bool has_slow = false;
-  for (std::size_t m = 0; m <= kHalf; ++m) {
-    list_encounters(transfer, speed, m, work.encounters[m]);
-    list_peak_shapes(transfer.peak[speed][m], omega, work.shapes[m]);
-    has_low = has_low || work.encounters[m].has_low;
-    has_slow = has_slow || work.encounters[m].has_slow;
-  }
-  const Sweep sweep{transfer, speed, watch, needs, sea, has_low};
   const RollDampingLevels& levels = transfer.roll_update[speed].levels;
-  out.roll_damping.added.fill(levels.added[0]);
-  out.roll_damping.residual.fill(0.0);
   const std::size_t roll = find_channel(watch, Quantity::kRoll, 0);
   const bool has_levels = (levels.count > 1 || !options.shift.is_none()) && roll < watch.channels.size();
-  if (has_levels) {
-    list_damped(sweep, options.shift, work);
-    list_at_levels(sweep, roll, true, work);
-    linearise_headings(sweep, options, work, out.roll_damping);
-    blend(sweep, true, work, out.channel[roll]);
-  }
-  for (std::size_t c = 0; c < watch.channels.size(); ++c) {
-    if (needs[c] == Need::kNone || (has_levels && c == roll)) {
-      continue;
-    }
-    const bool wants_second = needs_second_moment(watch.channels[c]);
-    if (has_levels && feels_roll(watch.channels[c])) {
-      list_at_levels(sweep, c, wants_second, work);
-      blend(sweep, wants_second, work, out.channel[c]);
-    } else {
-      list_channel(sweep, c, wants_second, work, {&out.channel[c], 1});
-    }
-  }
+  const Sweep sweep{transfer, speed, watch, sea, options, has_levels};
+  out.roll_damping.added.fill(levels.added[0]);
+  out.roll_damping.residual.fill(0.0);
   out.slow_wave_energy.fill(0.0);
-  if (options.counts_slow_waves && has_slow) {
-    SweepSubject waves{transfer, speed, nullptr, 0, sea, 1, {}};
-    want(Moment::kZeroth, true, waves);
-    integrate(waves, work);
-    convolve(waves, 0, work);
-    ByHeading of_system;
-    for (std::size_t s = 0; s < sea.num_systems; ++s) {
-      read_moment(work, s, of_system);
-      for (std::size_t h = 0; h < kNumDirections; ++h) {
-        out.slow_wave_energy[h] += of_system[h];
-      }
+  list_subjects(sweep, needs, find_slow_encounters(transfer, speed), roll, work);
+  const auto additions = list_additions(sweep);
+  const SpeedSweep directions{transfer, speed, sea, additions.span(), options.shift.is_none() ? 1U : 0U};
+  // bounded: take_columns() takes one subject at least
+  for (std::size_t first = 0; first < work.subjects.size();) {
+    const std::size_t end = take_columns(sea.num_bands, first, work.subjects, work.columns);
+    const auto subjects = work.subjects.span().subspan(first, end - first);
+    list_integrals(directions, subjects, work.direction, work.columns);
+    transform_columns(work.columns);
+    for (const SweepSubject& subject : subjects) {
+      read_subject(sweep, subject, work, out);
     }
+    first = end;
   }
 }
 

@@ -1,18 +1,19 @@
 // Moments of the channels of a watch on every heading, at one speed: what the cycle does once a speed.
 //
-// A channel's |H|^2 is integrated over each band of the sea at every relative direction; then its variance on
-// all headings is a circular convolution with what each wave system takes of the band: a product in the
-// Fourier space of direction (base/direction_transform.hpp). Nothing is folded into encounter frequency. Half
-// the directions do: of a channel that is not the same from both sides, what they have in common and what
-// they have apart (even and odd) come from the same motions.
+// A channel's |H|^2 is integrated over each band of the sea at every relative direction
+// (heading_integrals.hpp); then its variance on all headings is a circular convolution with what each wave
+// system takes of the band: a product in the Fourier space of direction (heading_convolution.hpp). Nothing is
+// folded into encounter frequency. Half the directions do: of a channel that is not the same from both sides,
+// what they have in common and what they have apart (even and odd) come from the same motions.
 // Where roll damping depends on roll, channels that feel roll are summed at each level of damping
 // (strip/roll_update.hpp); the damping of each heading is found from roll's own moments
 // (roll_linearisation.hpp), and every other moment is taken at it.
 // Work a channel, speed, level and moment: 37 or 74 sums of (frequencies x bands) + 685 x bands + 1,400 x
 // systems (of the variance; of other moments once) multiply-adds at 72 directions. It depends on the sea only
 // through the number of its bands and systems: a long-crested sea takes as long as one from all round.
-// Expected error: rounding, 1e-15 of the largest variance on any heading; what is below 1e-13 of that is
-// zero. Sums run in a fixed order: same bits on every run. Memory: the workspace, 0.9 MB: static.
+// Expected error: that of single precision in |H|^2 (channel_energy.hpp); of the transforms 1e-15 of the
+// largest variance on any heading, and what is below 1e-13 of that is zero. Sums run in a fixed order: same
+// bits on every run. Memory: the workspace, 1.4 MB: static.
 #pragma once
 
 #include <array>
@@ -20,9 +21,8 @@
 #include <cstdint>
 
 #include "core/base/capacity.hpp"
-#include "core/base/direction_transform.hpp"
-#include "core/response/damped_motions.hpp"
-#include "core/response/direction_response.hpp"
+#include "core/response/heading_convolution.hpp"
+#include "core/response/heading_integrals.hpp"
 #include "core/response/roll_linearisation.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
@@ -34,8 +34,6 @@ namespace quickstrip {
 /// The second moment comes with every channel that is wanted and needs it (watch.hpp).
 enum class Need : std::uint8_t { kNone, kVariance, kVarianceAndLowEncounter };
 using Needs = std::array<Need, kMaxChannels>;
-
-using ByHeading = std::array<double, kNumDirections>;
 
 /// Of one channel. Indexed by heading 2 pi h / kNumDirections last.
 struct ChannelMoments {
@@ -63,22 +61,13 @@ struct SweepWorkspace {
   // supplementary angle is the complex conjugate.
   std::array<std::array<IncidentWave, kNumDirections / 4 + 1>, kMaxRelativeChannels> wave{};
   std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
-  std::array<Encounters, kNumSolvedDirections> encounters{};
-  std::array<PeakShapes, kNumSolvedDirections> shapes{};
-  // Integrals by level of roll damping, moment, direction and band.
-  std::array<std::array<HalfCircle<kBandWidth>, 3>, kRollDampingLevels> even{};
-  std::array<std::array<HalfCircle<kBandWidth>, 3>, kRollDampingLevels> odd{};
-  HalfCircle<kBandWidth> cosine{};  // their transforms
-  HalfCircle<kBandWidth> sine{};
-  // Of integrals and factors, by wave number and column: heading_convolution.hpp.
-  HalfCircle<kSystemWidth> product_cosine{};
-  HalfCircle<kSystemWidth> product_sine{};
-  HalfCircle<kSystemWidth> part_even{};
-  HalfCircle<kSystemWidth> part_odd{};
-  // Of a speed whose roll damping depends on roll: lateral motions at the dampings beyond the first (of a
-  // shifted ship: at all of them), moments of a channel at each, and what each counts for on every heading.
-  std::array<std::array<LateralMotions, kMaxDampedLevels>, kNumSolvedDirections> damped{};
-  std::size_t first_damped = 1;  // the level of damped[m][0]
+  // Of one speed: channels in the order of their sums, and those sums.
+  SweepSubjects subjects;
+  DirectionWork direction;
+  SweepColumns columns;
+  HeadingColumns headings;
+  // Where roll damping depends on roll: moments of a channel at each level, and what each counts for on every
+  // heading.
   std::array<ChannelMoments, kRollDampingLevels> at_level{};
   std::array<ByHeading, kRollDampingLevels> level_weight{};
 };

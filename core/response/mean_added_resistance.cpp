@@ -1,66 +1,53 @@
 #include "core/response/mean_added_resistance.hpp"
 
 #include <cmath>
-#include <span>
 
-#include "core/response/channel_energy.hpp"
+#include "core/response/band_weights.hpp"
 #include "core/response/heading_convolution.hpp"
 #include "core/response/moments.hpp"
-#include "core/response/peak_terms.hpp"
 
 namespace quickstrip {
 namespace {
 
 constexpr std::size_t kHalf = kNumDirections / 2;
 
-/// Columns of the workspace that hold the two.
+/// Headings' columns of the two.
 constexpr std::size_t kStrip = 0;
 constexpr std::size_t kEmpirical = 1;
-static_assert(kSystemWidth > kEmpirical);
+static_assert(kSweepBlocks * kTransformBlock >= 2 * kBandWidth && kMaxHeadingColumns > kEmpirical);
 
-void integrate(const TransferFunctions& transfer, const ResistanceRow& row, const SeaEnergy& sea,
-               std::span<double> out) {
-  NodeValues nodes{};
+void to_nodes(const TransferFunctions& transfer, const ResistanceRow& row, NodeValues& out) {
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-    nodes[f] = static_cast<double>(row[f]);
+    out[f] = static_cast<double>(row[f]);
   }
-  integrate_over_bands(sea, nodes, transfer.peak[0][0], nullptr, out);  // no terms: any peak does
 }
 
-/// The transform of what all systems bring, into one column: heading_moments.hpp for a channel.
-void transform(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
-               std::size_t column, SweepWorkspace& work) {
+/// Columns of one method, after those of the methods before it.
+void integrate(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
+               std::size_t method, SweepColumns& out) {
+  NodeValues nodes{};
   for (std::size_t m = 0; m <= kHalf; ++m) {
-    integrate(transfer, rows[m], sea, work.even[0][0][m]);
-  }
-  cosine_transform(work.even[0][0], sea.num_bands, work.cosine);
-  for (std::size_t k = 0; k <= kHalf; ++k) {
-    double re = 0.0;
-    double im = 0.0;  // minus the imaginary part
-    for (std::size_t s = 0; s < sea.num_systems; ++s) {
-      const SystemEnergy& part = sea.part[s];
-      for (std::size_t b = part.first; b < part.first + part.count; ++b) {
-        re += work.cosine[k][b] * part.cosine[k][b];
-        im += work.cosine[k][b] * part.sine[k][b];
-      }
+    to_nodes(transfer, rows[m], nodes);
+    for (std::size_t b = 0; b < sea.num_bands; ++b) {
+      const std::size_t column = method * sea.num_bands + b;
+      out.block[column / kTransformBlock][m][column % kTransformBlock] = integrate(sea.band[b], nodes);
     }
-    work.product_cosine[k][column] = re;
-    work.product_sine[k][column] = im;
   }
 }
 
 double mean_at(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
                const HeadingBracket& heading) {
-  std::array<double, kMaxEnergyBands> integrals{};
+  NodeValues nodes{};
   double sum = 0.0;
   for (std::size_t m = 0; m < kNumDirections; ++m) {
     const std::size_t d0 = wave_direction(heading.below, m);
     const std::size_t d1 = wave_direction(heading.above, m);
-    integrate(transfer, rows[solved_direction(m)], sea, integrals);
+    to_nodes(transfer, rows[solved_direction(m)], nodes);
     for (std::size_t s = 0; s < sea.num_systems; ++s) {
       const SystemEnergy& part = sea.part[s];
       for (std::size_t b = part.first; b < part.first + part.count; ++b) {
-        sum += ((1.0 - heading.part) * part.factor[b][d0] + heading.part * part.factor[b][d1]) * integrals[b];
+        const double factor = (1.0 - heading.part) * part.factor[b][d0] + heading.part * part.factor[b][d1];
+        sum += factor != 0.0 ? factor * integrate(sea.band[b], nodes) : 0.0;
       }
     }
   }
@@ -72,17 +59,25 @@ double mean_at(const TransferFunctions& transfer, const ResistanceRows& rows, co
 void list_mean_added_resistance(const TransferFunctions& transfer, std::size_t speed, const SeaEnergy& sea,
                                 SweepWorkspace& work, HeadingResistance& out) {
   out.has_empirical = transfer.has_empirical_resistance[speed];
-  transform(transfer, transfer.added_resistance[speed], sea, kStrip, work);
-  if (out.has_empirical) {
-    transform(transfer, transfer.empirical_resistance[speed], sea, kEmpirical, work);
-  }
   const std::size_t count = out.has_empirical ? 2 : 1;
-  cosine_transform(work.product_cosine, count, work.part_even);
-  sine_transform(work.product_sine, count, work.part_odd);
-  constexpr double kMeanOfAmplitudeSquared = 2.0;  // a wave's energy is half its amplitude squared
-  read_headings(work, kStrip, kMeanOfAmplitudeSquared, out.strip);
+  integrate(transfer, transfer.added_resistance[speed], sea, kStrip, work.columns);
   if (out.has_empirical) {
-    read_headings(work, kEmpirical, kMeanOfAmplitudeSquared, out.empirical);
+    integrate(transfer, transfer.empirical_resistance[speed], sea, kEmpirical, work.columns);
+  }
+  work.columns.num_even = (count * sea.num_bands + kTransformBlock - 1) / kTransformBlock;
+  work.columns.num_odd = 0;
+  transform_columns(work.columns);
+  clear(count, work.headings);
+  for (std::size_t method = 0; method < count; ++method) {
+    for (std::size_t s = 0; s < sea.num_systems; ++s) {
+      add_product(sea.part[s], work.columns, {.even = method * sea.num_bands}, method, work.headings);
+    }
+  }
+  turn_back(count, work.headings);
+  constexpr double kMeanOfAmplitudeSquared = 2.0;  // a wave's energy is half its amplitude squared
+  read_headings(work.headings, kStrip, kMeanOfAmplitudeSquared, out.strip);
+  if (out.has_empirical) {
+    read_headings(work.headings, kEmpirical, kMeanOfAmplitudeSquared, out.empirical);
   }
 }
 

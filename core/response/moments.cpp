@@ -13,13 +13,25 @@ namespace {
 
 constexpr std::size_t kHalfCircle = kNumDirections / 2;
 
-using BandFactors = std::array<double, kMaxEnergyBands>;
-
-/// What the systems take of each band at one relative direction, between two compass directions.
+/// What the waves of one relative direction bring, by system: its bands together, each with what the system
+/// takes of it, between two compass directions.
 struct RelativeEnergy {
-  std::array<BandFactors, kMaxWaveSystems> factor{};
+  std::array<EnergyBand, kMaxWaveSystems> system{};
   bool is_empty = true;
 };
+
+void add_band(const EnergyBand& band, double factor, EnergyBand& out) {
+  for (std::size_t f = band.first; f <= band.last; ++f) {
+    out.node[f] += factor * band.node[f];
+  }
+  for (std::size_t f = band.first; f < band.last; ++f) {
+    for (std::size_t l = 0; l < kDensityTerms; ++l) {
+      out.density[f][l] += factor * band.density[f][l];
+    }
+  }
+  out.first = std::min(out.first, band.first);
+  out.last = std::max(out.last, band.last);
+}
 
 void list_relative_energy(const SeaEnergy& sea, Heading heading, std::size_t m, RelativeEnergy& out) {
   const HeadingBracket bracket = bracket_heading(heading);
@@ -29,29 +41,18 @@ void list_relative_energy(const SeaEnergy& sea, Heading heading, std::size_t m, 
   out.is_empty = true;
   for (std::size_t s = 0; s < sea.num_systems; ++s) {
     const SystemEnergy& system = sea.part[s];
+    EnergyBand& sum = out.system[s];
+    sum = {};
+    sum.first = kMaxFrequencies - 1;
     for (std::size_t b = system.first; b < system.first + system.count; ++b) {
       const double factor = (1.0 - part) * system.factor[b][d0] + part * system.factor[b][d1];
-      out.factor[s][b] = factor;
-      out.is_empty = out.is_empty && factor == 0.0;
+      if (factor != 0.0) {
+        add_band(sea.band[b], factor, sum);
+        out.is_empty = false;
+      }
     }
+    sum.first = std::min(sum.first, sum.last);
   }
-}
-
-double of_system(const SeaEnergy& sea, const RelativeEnergy& energy, std::size_t s,
-                 std::span<const double> integrals) {
-  double sum = 0.0;
-  for (std::size_t b = sea.part[s].first; b < sea.part[s].first + sea.part[s].count; ++b) {
-    sum += energy.factor[s][b] * integrals[b];
-  }
-  return sum;
-}
-
-double of_all_systems(const SeaEnergy& sea, const RelativeEnergy& energy, std::span<const double> integrals) {
-  double sum = 0.0;
-  for (std::size_t s = 0; s < sea.num_systems; ++s) {
-    sum += of_system(sea, energy, s, integrals);
-  }
-  return sum;
 }
 
 /// One speed on one course, in one sea.
@@ -70,8 +71,10 @@ struct Course {
 struct Direction {
   std::size_t m = 0;
   Encounters encounters;
+  LongitudinalMotions longitudinal;
   PeakShapes shapes;
   RelativeEnergy energy;
+  std::array<BandWeights, kMaxWaveSystems> weights;  // by system
   std::array<LateralMotions, kRollDampingLevels - 1> damped;
 
   [[nodiscard]] const LateralMotions* at_level(std::size_t level) const {
@@ -86,16 +89,21 @@ bool look_towards(const Course& course, std::size_t m, Direction& out) {
   if (out.energy.is_empty) {
     return false;
   }
-  list_encounters(course.transfer, course.speed, solved_direction(m), out.encounters);
-  list_peak_shapes(course.transfer.peak[course.speed][solved_direction(m)],
-                   std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
+  const std::size_t solved_m = solved_direction(m);
+  const RollPeak& peak = course.transfer.peak[course.speed][solved_m];
+  list_encounters(course.transfer, course.speed, solved_m, out.encounters);
+  list_longitudinal(course.transfer, course.speed, solved_m, out.longitudinal);
+  list_peak_shapes(peak, std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
+  for (std::size_t s = 0; s < course.sea.num_systems; ++s) {
+    list_band_weights(out.energy.system[s], peak, out.shapes, out.weights[s]);
+  }
   if (course.levels().count > 1) {
     const RollDampingLevels& levels = course.levels();
     std::array<RollAddition, kRollDampingLevels - 1> addition{};
     for (std::size_t l = 1; l < kRollDampingLevels; ++l) {
       addition[l - 1].damping = levels.added[l] - levels.added[0];
     }
-    damp_motions(course.transfer, course.speed, solved_direction(m), out.encounters, addition, out.damped);
+    damp_motions(course.transfer, course.speed, solved_m, out.encounters, addition, out.damped);
   }
   return true;
 }
@@ -104,29 +112,38 @@ bool look_towards(const Course& course, std::size_t m, Direction& out) {
 void add_channel(const Course& course, const Direction& direction, std::size_t c, std::size_t level,
                  double weight, ResponseMoments& out) {
   const Channel& channel = course.watch.channels[c];
-  const SeaEnergy& sea = course.sea;
+  const std::size_t num_systems = course.sea.num_systems;
   IncidentWave wave;
   if (channel.form.wave > 0.0) {
     list_incident_wave(course.transfer, solved_direction(direction.m), channel.position, wave);
   }
-  const MetWaves met{course.transfer, course.speed, solved_direction(direction.m), direction.encounters};
+  const MetWaves met{course.transfer, course.speed, solved_direction(direction.m), direction.encounters,
+                     direction.longitudinal};
   ChannelValues values;
+  ChannelValues room;
   list_values(met, is_mirrored(direction.m), channel, direction.at_level(level), wave, values);
-  BandFactors integrals{};
-  const auto all = [&](Moment moment) {
-    integrate_moment(met, direction.shapes, sea, moment, values, integrals);
-    return weight * of_all_systems(sea, direction.energy, integrals);
+  const auto of_system = [&](Moment moment, const ChannelValues& weighed, std::size_t s) {
+    return weight * integrate(met, moment, direction.energy.system[s], direction.weights[s], weighed);
   };
-  out.m0 += all(Moment::kZeroth);
-  for (std::size_t s = 0; s < sea.num_systems; ++s) {
-    out.m0_by_system[s] += weight * of_system(sea, direction.energy, s, integrals);
+  const auto all = [&](Moment moment) {
+    const ChannelValues& weighed = weigh(met, moment, values, room);
+    double sum = 0.0;
+    for (std::size_t s = 0; s < num_systems; ++s) {
+      sum += of_system(moment, weighed, s);
+    }
+    return sum;
+  };
+  for (std::size_t s = 0; s < num_systems; ++s) {
+    const double part = of_system(Moment::kZeroth, values, s);
+    out.m0_by_system[s] += part;
+    out.m0 += part;
   }
   out.m1 += all(Moment::kFirst);
   out.m2 += all(Moment::kSecond);
   if (out.m4 != kNoMoment) {
     out.m4 += all(Moment::kFourth);
   }
-  if (direction.encounters.has_low) {
+  if (!direction.encounters.low.is_empty()) {
     out.m0_low_encounter += all(Moment::kLowEncounter);
   }
 }
@@ -188,16 +205,16 @@ EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, st
                         const SeaEnergy& sea, const RelativeEnergy& energy) {
   Encounters encounters;
   list_encounters(transfer, speed, solved_direction(m), encounters);
-  const PeakShapes shapes;  // the waves themselves have no peak
-  BandFactors integrals{};
-  ChannelValues values;
-  list_slow_waves(transfer, encounters, values.nodes);
-  const MetWaves met{transfer, speed, solved_direction(m), encounters};
-  integrate_moment(met, shapes, sea, Moment::kZeroth, values, integrals);
-  const double slow = of_all_systems(sea, energy, integrals);
-  values.nodes.fill(1.0);
-  integrate_moment(met, shapes, sea, Moment::kZeroth, values, integrals);
-  return {slow, of_all_systems(sea, energy, integrals)};
+  NodeValues slow_waves{};  // the waves themselves have no peak
+  NodeValues all_waves{};
+  list_slow_waves(transfer, encounters, slow_waves);
+  all_waves.fill(1.0);
+  EnergyShare out;
+  for (std::size_t s = 0; s < sea.num_systems; ++s) {
+    out.slow += integrate(energy.system[s], slow_waves);
+    out.all += integrate(energy.system[s], all_waves);
+  }
+  return out;
 }
 
 }  // namespace

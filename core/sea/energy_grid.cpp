@@ -63,19 +63,6 @@ void set_bounds(std::size_t num_frequencies, EnergyBand& band) {
   band.first = std::min(band.first, band.last);
 }
 
-void list_bands(SeaEnergy& out) {
-  for (std::size_t i = 0; i + 1 < out.num_frequencies; ++i) {
-    BandRange& range = out.bands_of[i];
-    range = {out.num_bands, 0};
-    for (std::size_t b = 0; b < out.num_bands; ++b) {
-      if (out.band[b].first <= i && i < out.band[b].last) {
-        range.first = std::min(range.first, b);
-        range.last = b + 1;
-      }
-    }
-  }
-}
-
 // Energy from d and from the mirrored direction: even and odd in direction.
 void transform_factors(SystemEnergy& system) {
   static_assert(sizeof(HalfCircle<kTransformBlock>) < 4096, "kept on the stack");
@@ -121,7 +108,6 @@ void complete(double m0, double on_nodes, SeaEnergy& out) {
   for (std::size_t b = 0; b < out.num_bands; ++b) {
     set_bounds(out.num_frequencies, out.band[b]);
   }
-  list_bands(out);
   for (std::size_t s = 0; s < out.num_systems; ++s) {
     transform_factors(out.part[s]);
   }

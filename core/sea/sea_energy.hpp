@@ -56,12 +56,6 @@ struct SystemEnergy {
   HalfCircle<kBandWidth> sine{};    // minus the imaginary part
 };
 
-/// Bands first ... last - 1 are those that may have energy in an interval between nodes.
-struct BandRange {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
 /// Renormalised: the sum over all equals the m0 of the input; lost_tail is the fraction of m0 that lay
 /// outside the frequency nodes before. Memory: 0.7 MB: static, never on the stack.
 struct SeaEnergy {
@@ -69,7 +63,6 @@ struct SeaEnergy {
   std::size_t num_frequencies = 0;
   std::size_t num_bands = 0;
   std::array<EnergyBand, kMaxEnergyBands> band{};
-  std::array<BandRange, kMaxFrequencies> bands_of{};  // by interval
   std::array<SystemEnergy, kMaxWaveSystems> part{};
   std::array<WaveSystem, kMaxWaveSystems>
       system{};                  // hs, Tp, mean direction and spreading of each, for words

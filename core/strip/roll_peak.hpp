@@ -47,7 +47,7 @@ inline constexpr std::array<std::size_t, 3> kPeakModes = {1, 3, 5};
 
 /// Solutions between the wave frequencies at one speed and direction, in single precision: 6e-8 of a value.
 /// An integral over an interval is the sum of weight times value over its points.
-struct RollPeak {
+struct alignas(kCacheLine) RollPeak {
   StaticVector<PeakInterval, kMaxPeakIntervals> intervals;  // in increasing frequency
   std::size_t num_points = 0;
   std::array<float, kMaxPeakPoints> omega{};   // wave frequency [rad/s]

@@ -22,7 +22,7 @@ namespace quickstrip {
 
 /// Six complex amplitudes by wave frequency, at one speed and direction: structure of arrays, in single
 /// precision (6e-8 of a value; energies are summed in double).
-struct MotionRow {
+struct alignas(kCacheLine) MotionRow {
   using ByFrequency = std::array<float, kMaxFrequencies>;
   std::array<ByFrequency, 6> re{};
   std::array<ByFrequency, 6> im{};

@@ -61,9 +61,12 @@ TEST(DirectionTransform, IsItsOwnInverseButForTheNumberOfDirections) {
 }
 
 TEST(DirectionTransform, HasTheCosinesOfItsDirections) {
-  for (std::size_t j = 0; j < kNumDirections; ++j) {
-    EXPECT_NEAR(direction_transform::kCosine[j], std::cos(angle(j)), 1e-15);  // of the angle
-    EXPECT_NEAR(direction_transform::kSine[j], std::sin(angle(j)), 1e-15);    // of the angle
+  for (std::size_t k = 0; k <= kHalf; ++k) {
+    for (std::size_t m = 0; m <= kHalf / 2; ++m) {
+      const std::size_t j = k * m % kNumDirections;
+      EXPECT_NEAR(direction_transform::kCosine[k][m], std::cos(angle(j)), 1e-15);  // of the angle
+      EXPECT_NEAR(direction_transform::kSine[k][m], std::sin(angle(j)), 1e-15);    // of the angle
+    }
   }
 }
 

@@ -1,7 +1,7 @@
 #include "tests/bench/sweep_work.hpp"
 
 #include "core/base/direction_transform.hpp"
-#include "core/response/peak_terms.hpp"
+#include "core/response/channel_energy.hpp"
 
 namespace quickstrip::bench {
 namespace {
@@ -24,23 +24,31 @@ double energy_flops(const Channel& channel, std::size_t count) {
   return static_cast<double>(count) * (6.0 * static_cast<double>(num_motions(channel)) + squares);
 }
 
-double band_flops(const SeaEnergy& sea) {
+bool holds(const EnergyBand& band, const PeakInterval& interval) {
+  return interval.node >= band.first && interval.node < band.last;
+}
+
+// One integral over every band: a product and a sum a frequency and, where roll is felt, a point.
+double band_flops(const SeaEnergy& sea, const RollPeak* peak) {
   double flops = 0.0;
   for (std::size_t b = 0; b < sea.num_bands; ++b) {
     flops += 2.0 * static_cast<double>(sea.band[b].last - sea.band[b].first + 1);
+    for (std::size_t i = 0; peak != nullptr && i < peak->intervals.size(); ++i) {
+      flops += holds(sea.band[b], peak->intervals[i]) ? 2.0 * peak->intervals[i].count : 0.0;
+    }
   }
   return flops;
 }
 
-// Linear part off, four Legendre terms of each point, and their product with the bands.
-double peak_flops_of(const RollPeak& peak, const SeaEnergy& sea) {
-  double products = 0.0;
+// Weights of the points, for all channels together: 14 a point and band.
+double weight_flops(const SeaEnergy& sea, const RollPeak& peak) {
+  double flops = 0.0;
   for (std::size_t b = 0; b < sea.num_bands; ++b) {
     for (const PeakInterval& interval : peak.intervals) {
-      products += interval.node >= sea.band[b].first && interval.node < sea.band[b].last ? 8.0 : 0.0;
+      flops += holds(sea.band[b], interval) ? 14.0 * interval.count : 0.0;
     }
   }
-  return 20.0 * static_cast<double>(peak.num_points) + products;
+  return flops;
 }
 
 double convolution_flops(const SeaEnergy& sea, bool has_sides) {
@@ -58,6 +66,9 @@ SweepWork sweep_work(const GridInputs& inputs) {
   SweepWork out;
   const TransferFunctions& transfer = inputs.transfer;
   for (std::size_t v = 0; v < transfer.num_speeds; ++v) {
+    for (const RollPeak& peak : transfer.peak[v]) {
+      out.flops += weight_flops(inputs.sea, peak);
+    }
     for (std::size_t c = 0; c < inputs.watch.channels.size(); ++c) {
       const Channel& channel = inputs.watch.channels[c];
       if (!inputs.channels.is_needed[c]) {
@@ -71,11 +82,9 @@ SweepWork sweep_work(const GridInputs& inputs) {
       for (std::size_t m = 0; m < kNumSolvedDirections; ++m) {
         const double sides = has_sides ? 2.0 : 1.0;
         out.flops += energy_flops(channel, transfer.num_frequencies);
-        out.flops += sides * moments * band_flops(inputs.sea);
-        if (feels_roll(channel)) {
-          const RollPeak& peak = transfer.peak[v][m];
-          out.flops += energy_flops(channel, peak.num_points) + sides * peak_flops_of(peak, inputs.sea);
-        }
+        const RollPeak* peak = feels_roll(channel) ? &transfer.peak[v][m] : nullptr;
+        out.flops += sides * moments * band_flops(inputs.sea, peak);
+        out.flops += peak != nullptr ? energy_flops(channel, peak->num_points) : 0.0;
       }
       out.flops += moments * convolution_flops(inputs.sea, has_sides);
     }

@@ -6,7 +6,7 @@
 namespace quickstrip::bench {
 
 struct SweepWork {
-  double flops = 0.0;  // multiplications and additions in double
+  double flops = 0.0;  // multiplications and additions, single or double
   double bytes = 0.0;  // read at least once: transfer functions, roll peaks, bands and factors of the sea
 };
 

@@ -248,7 +248,7 @@ TEST_F(Interruptions, AndSicknessRestOnTheAccelerationChannelOfThePoint) {
     const ResponseMoments& velocity = moments[first_of(place, Quantity::kMotionSickness)];
     const ResponseMoments& acceleration = moments[first_of(place, Quantity::kVerticalAcceleration)];
     const VerticalShaking shaking = vertical_shaking(velocity.m0, velocity.m2);
-    EXPECT_NEAR(shaking.rms_acceleration / std::sqrt(acceleration.m0), 1.0, 1e-9);  // rounding
+    EXPECT_NEAR(shaking.rms_acceleration / std::sqrt(acceleration.m0), 1.0, 1e-7);  // single precision
     EXPECT_NEAR(shaking.frequency, std::sqrt(velocity.m2 / velocity.m0), 1e-12);
     EXPECT_LT(shaking.frequency * shaking.frequency, acceleration.m2 / acceleration.m0);  // Schwarz
   }

@@ -1,0 +1,189 @@
+#include "core/response/heading_integrals.hpp"
+
+#include <cmath>
+
+#include "core/base/check.hpp"
+
+namespace quickstrip {
+namespace {
+
+constexpr std::size_t kHalf = kNumDirections / 2;
+static_assert(kHalf % 2 == 0);
+static_assert(kSweepColumns % kTransformBlock == 0 &&
+                  kSweepColumns >= 2 * (kRollDampingLevels * 3 * kMaxEnergyBands + kTransformBlock),
+              "room for any one channel");
+
+constexpr std::size_t blocks_of(std::size_t num_columns) {
+  return (num_columns + kTransformBlock - 1) / kTransformBlock;
+}
+
+/// Row m of the columns from `first` on.
+struct ColumnRow {
+  SweepColumns& columns;
+  std::size_t first_block;
+  std::size_t m;
+
+  double& operator[](std::size_t column) const {
+    return columns.block[first_block + column / kTransformBlock][m][column % kTransformBlock];
+  }
+};
+
+/// One direction, ready for every channel.
+struct Towards {
+  const SpeedSweep& sweep;
+  const MetWaves& met;
+  const DirectionWork& work;
+  ColumnRow even;
+  ColumnRow odd;
+
+  // Waves from right ahead or astern have one side.
+  [[nodiscard]] bool has_sides() const { return met.solved_m > 0 && met.solved_m < kHalf; }
+};
+
+/// Into the columns of one level.
+void integrate_level(const Towards& to, const SweepSubject& subject, std::size_t level,
+                     const ChannelValues& values, const ColumnRow& row, std::size_t first) {
+  const SeaEnergy& sea = to.sweep.sea;
+  ChannelValues room;
+  for (std::size_t i = 0; i < subject.moments.size(); ++i) {
+    const Moment moment = subject.moments[i];
+    const std::size_t column = first + subject.offset(level, i, sea.num_bands);
+    const ChannelValues& weighed = weigh(to.met, moment, values, room);
+    for (std::size_t b = 0; b < sea.num_bands; ++b) {
+      row[column + b] = integrate(to.met, moment, sea.band[b], to.work.weights[b], weighed);
+    }
+  }
+}
+
+void clear_level(const Towards& to, const SweepSubject& subject, std::size_t level) {
+  const std::size_t num_bands = to.sweep.sea.num_bands;
+  const std::size_t first = subject.first_odd + subject.offset(level, 0, num_bands);
+  for (std::size_t c = 0; c < subject.moments.size() * num_bands; ++c) {
+    to.odd[first + c] = 0.0;
+  }
+}
+
+const LateralMotions* damped_at(const Towards& to, const SweepSubject& subject, std::size_t level) {
+  const bool is_damped = level >= to.sweep.first_damped && !to.sweep.additions.empty();
+  return is_damped && feels_roll(*subject.channel) ? &to.work.damped[level - to.sweep.first_damped] : nullptr;
+}
+
+WaveThere wave_there(const SweepSubject& subject, std::size_t m, const IncidentWave& none) {
+  if (subject.waves == nullptr) {
+    return {none};
+  }
+  const bool is_ahead = m > kHalf / 2;
+  return {subject.waves[is_ahead ? kHalf - m : m], is_ahead};
+}
+
+// Waves from right ahead move a ship sideways by rounding only, and squares of that are subnormal numbers,
+// which take a processor a hundred times as long.
+void drop_rounding(ChannelPart& part) {
+  constexpr float kLeast = 1e-14F;  // m or rad a metre, or these times rad2/s2
+  const auto drop = [](auto& values) {
+    for (float& value : values) {
+      value = std::fabs(value) < kLeast ? 0.0F : value;
+    }
+  };
+  drop(part.re);
+  drop(part.im);
+  drop(part.point_re);
+  drop(part.point_im);
+}
+
+void integrate_channel(const Towards& to, const SweepSubject& subject) {
+  const Channel& channel = *subject.channel;
+  const bool rolls = feels_roll(channel);
+  const bool has_sides = subject.has_sides();
+  const IncidentWave none;
+  ChannelPart longitudinal;
+  ChannelPart lateral{};
+  ChannelValues even;
+  ChannelValues odd;
+  if (has_sides || !rolls) {
+    longitudinal_part(to.met, channel, wave_there(subject, to.met.solved_m, none), longitudinal);
+  }
+  for (std::size_t level = 0; level < subject.num_levels; ++level) {
+    if (rolls) {
+      lateral_part(to.met, channel, damped_at(to, subject, level), lateral);
+    }
+    if (rolls && !to.has_sides()) {
+      drop_rounding(lateral);
+    }
+    if (!has_sides) {
+      list_square(to.met, channel, rolls ? lateral : longitudinal, even);
+    } else {
+      list_even_odd(to.met, channel, longitudinal, lateral, even, odd);
+      if (to.has_sides()) {
+        integrate_level(to, subject, level, odd, to.odd, subject.first_odd);
+      } else {
+        clear_level(to, subject, level);
+      }
+    }
+    integrate_level(to, subject, level, even, to.even, subject.first_even);
+  }
+}
+
+void integrate_slow_waves(const Towards& to, const SweepSubject& subject) {
+  ChannelValues slow;
+  list_slow_waves(to.sweep.transfer, to.work.encounters, slow.nodes);
+  integrate_level(to, subject, 0, slow, to.even, subject.first_even);
+}
+
+/// What the sums towards one direction rest on.
+void look_towards(const SpeedSweep& sweep, std::size_t m, DirectionWork& out) {
+  const TransferFunctions& transfer = sweep.transfer;
+  const RollPeak& peak = transfer.peak[sweep.speed][m];
+  list_encounters(transfer, sweep.speed, m, out.encounters);
+  list_longitudinal(transfer, sweep.speed, m, out.longitudinal);
+  list_peak_shapes(peak, std::span(transfer.omega).first(transfer.num_frequencies), out.shapes);
+  for (std::size_t b = 0; b < sweep.sea.num_bands; ++b) {
+    list_band_weights(sweep.sea.band[b], peak, out.shapes, out.weights[b]);
+  }
+  if (!sweep.additions.empty()) {
+    damp_motions(transfer, sweep.speed, m, out.encounters, sweep.additions, out.damped);
+  }
+}
+
+}  // namespace
+
+std::size_t take_columns(std::size_t num_bands, std::size_t first, SweepSubjects& subjects,
+                         SweepColumns& columns) {
+  std::size_t num_even = 0;
+  std::size_t num_odd = 0;
+  std::size_t end = first;
+  for (; end < subjects.size(); ++end) {
+    SweepSubject& subject = subjects[end];
+    const std::size_t more = subject.num_columns(num_bands);
+    const std::size_t more_odd = subject.has_sides() ? more : 0;
+    if (blocks_of(num_even + more) + blocks_of(num_odd + more_odd) > kSweepBlocks) {
+      break;
+    }
+    subject.first_even = num_even;
+    subject.first_odd = num_odd;
+    num_even += more;
+    num_odd += more_odd;
+  }
+  QS_CHECK(end > first);
+  columns.num_even = blocks_of(num_even);
+  columns.num_odd = blocks_of(num_odd);
+  return end;
+}
+
+void list_integrals(const SpeedSweep& sweep, std::span<const SweepSubject> subjects, DirectionWork& work,
+                    SweepColumns& columns) {
+  for (std::size_t m = 0; m <= kHalf; ++m) {
+    look_towards(sweep, m, work);
+    const MetWaves met{sweep.transfer, sweep.speed, m, work.encounters, work.longitudinal};
+    const Towards to{sweep, met, work, {columns, 0, m}, {columns, columns.first_odd(), m}};
+    for (const SweepSubject& subject : subjects) {
+      if (subject.channel == nullptr) {
+        integrate_slow_waves(to, subject);
+      } else {
+        integrate_channel(to, subject);
+      }
+    }
+  }
+}
+
+}  // namespace quickstrip
