@@ -88,7 +88,7 @@ struct M7 {
   // No measured spectrum, for two frequencies are none: the bands of one as a buoy gives it would take 75 kB.
   static constexpr std::size_t kMaxSpectrumFrequencies = 2;
   static constexpr std::size_t kMaxSpectrumDirections = 4;
-  static constexpr std::size_t kSweepColumns = 128;
+  static constexpr std::size_t kSweepColumns = 320;
   static constexpr bool kHoldsSinglePrecision = true;
   static constexpr std::size_t kMaxCriteria = 12;
   static constexpr std::size_t kEnsembleMembers = 0;    // no room

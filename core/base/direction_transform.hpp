@@ -4,7 +4,7 @@
 // An even function of relative direction has a cosine transform, an odd one a sine transform; both are their
 // own inverses but for the factor 1/N. Several functions at once, side by side in the rows of a table, so
 // that the processor's vectors run over them. Folded about a quarter turn and, for even wave numbers, about
-// an eighth: N^2/11 multiply-adds a function. Sums run in a fixed order: same bits on every run. Expected
+// an eighth: N^2/10 multiply-adds a function. Sums run in a fixed order: same bits on every run. Expected
 // error: rounding, some 1e-16 of the largest value at any direction. No state.
 #pragma once
 

@@ -7,7 +7,7 @@
 namespace quickstrip {
 namespace {
 
-LaneRange lanes_of(const EnergyBand& band) {
+LaneRange lanes_of(const EnergyNodes& band) {
   return lanes_that_hold(band.first, band.last);
 }
 
@@ -75,11 +75,11 @@ double integrate(const BandWeights& weights, const ChannelValues& values) {
          dot(values.points, weights.at_points, weights.points);
 }
 
-double integrate(const EnergyBand& band, const NodeValues& at_nodes) {
+double integrate(const EnergyNodes& band, const NodeValues& at_nodes) {
   return dot(at_nodes, band.node, lanes_of(band));
 }
 
-double integrate_low(const EnergyBand& band, const Encounters& encounters, const NodeValues& at_nodes) {
+double integrate_low(const EnergyNodes& band, const Encounters& encounters, const NodeValues& at_nodes) {
   const LaneRange range = lanes_of(band);
   const std::size_t end = std::min(range.end, encounters.low.end);
   double sum = 0.0;

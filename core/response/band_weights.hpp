@@ -43,7 +43,7 @@ void list_band_weights(const EnergyBand& band, const RollPeak& peak, const PeakS
 /// Integrals over a band of a response, with points and without, and of its part in waves that are met below
 /// the floor (the peak keeps off those).
 double integrate(const BandWeights& weights, const ChannelValues& values);
-double integrate(const EnergyBand& band, const NodeValues& at_nodes);
-double integrate_low(const EnergyBand& band, const Encounters& encounters, const NodeValues& at_nodes);
+double integrate(const EnergyNodes& band, const NodeValues& at_nodes);
+double integrate_low(const EnergyNodes& band, const Encounters& encounters, const NodeValues& at_nodes);
 
 }  // namespace quickstrip

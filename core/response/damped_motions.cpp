@@ -11,18 +11,18 @@ namespace quickstrip {
 namespace {
 
 // What the ship answers to a roll moment at a list of frequencies of encounter, in single precision as the
-// motions are.
+// motions are; set for as many frequencies as there are.
 template <std::size_t N>
 struct Answers {
   using Values = std::array<float, N>;
-  Values met{};   // |omega_e| as the equations saw it; 0 where damping does not matter
-  Values side{};  // -1 where omega_e is negative: equations, and so their roots, are conjugates there
-  Values impedance_re{};
-  Values impedance_im{};
-  Values sway_re{};
-  Values sway_im{};
-  Values yaw_re{};
-  Values yaw_im{};
+  Values met;   // |omega_e| as the equations saw it; 0 where damping does not matter
+  Values side;  // -1 where omega_e is negative: equations, and so their roots, are conjugates there
+  Values impedance_re;
+  Values impedance_im;
+  Values sway_re;
+  Values sway_im;
+  Values yaw_re;
+  Values yaw_im;
 
   void set(const RollUpdateTable& table, std::size_t i, double omega_e, double floor) {
     const double met_here = std::max(std::fabs(omega_e), floor);

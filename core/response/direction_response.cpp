@@ -67,7 +67,7 @@ const ChannelValues& weigh(const MetWaves& met, Moment moment, const ChannelValu
   return room;
 }
 
-double integrate(const MetWaves& met, Moment moment, const EnergyBand& band, const BandWeights& weights,
+double integrate(const MetWaves& met, Moment moment, const EnergyNodes& band, const BandWeights& weights,
                  const ChannelValues& values) {
   if (moment == Moment::kLowEncounter) {
     return integrate_low(band, met.encounters, values.nodes);

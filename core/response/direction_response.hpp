@@ -25,7 +25,7 @@ const ChannelValues& weigh(const MetWaves& met, Moment moment, const ChannelValu
                            ChannelValues& room);
 
 /// Integral over a band of a response as weigh() or, of kLowEncounter, list_values() leaves it.
-double integrate(const MetWaves& met, Moment moment, const EnergyBand& band, const BandWeights& weights,
+double integrate(const MetWaves& met, Moment moment, const EnergyNodes& band, const BandWeights& weights,
                  const ChannelValues& values);
 
 }  // namespace quickstrip

@@ -23,13 +23,13 @@ void read_row(const SweepColumns& columns, std::size_t first_block, std::size_t 
 // Of the bands of one system: four partial sums, then what fills no group of four.
 double band_dot(const BandRow& row, const BandRow& factor, std::size_t first, std::size_t count) {
   std::array<double, kTransformBlock> sums{};
-  std::size_t b = 0;
-  for (; b + kTransformBlock <= count; b += kTransformBlock) {
+  const std::size_t whole = count / kTransformBlock * kTransformBlock;
+  for (std::size_t b = 0; b < whole; b += kTransformBlock) {
     for (std::size_t j = 0; j < kTransformBlock; ++j) {
       sums[j] += row[b + j] * factor[first + b + j];
     }
   }
-  for (; b < count; ++b) {
+  for (std::size_t b = whole; b < count; ++b) {
     sums[0] += row[b] * factor[first + b];
   }
   return (sums[0] + sums[2]) + (sums[1] + sums[3]);
@@ -76,14 +76,14 @@ void add_product(const SystemEnergy& part, const SweepColumns& columns, const Co
 }
 
 void clear(std::size_t count, HeadingColumns& out) {
-  for (std::size_t i = 0; i * kTransformBlock < count; ++i) {
+  for (std::size_t i = 0; i < blocks_of(count); ++i) {
     out.cosine[i] = {};
     out.sine[i] = {};
   }
 }
 
 void turn_back(std::size_t count, HeadingColumns& columns) {
-  for (std::size_t i = 0; i * kTransformBlock < count; ++i) {
+  for (std::size_t i = 0; i < blocks_of(count); ++i) {
     cosine_transform(columns.cosine[i], kTransformBlock, columns.cosine[i]);
     sine_transform(columns.sine[i], kTransformBlock, columns.sine[i]);
   }

@@ -13,10 +13,6 @@ static_assert(kSweepColumns % kTransformBlock == 0 &&
                   kSweepColumns >= 2 * (kRollDampingLevels * 3 * kMaxEnergyBands + kTransformBlock),
               "room for any one channel");
 
-constexpr std::size_t blocks_of(std::size_t num_columns) {
-  return (num_columns + kTransformBlock - 1) / kTransformBlock;
-}
-
 /// Row m of the columns from `first` on.
 struct ColumnRow {
   SweepColumns& columns;
@@ -28,11 +24,22 @@ struct ColumnRow {
   }
 };
 
+/// What one channel is composed in; once for all, for setting it to nothing each time would take as long.
+struct Room {
+  ChannelPart longitudinal;
+  ChannelPart lateral;
+  ChannelValues even;
+  ChannelValues odd;
+  ChannelValues weighed;
+  IncidentWave no_wave;
+};
+
 /// One direction, ready for every channel.
 struct Towards {
   const SpeedSweep& sweep;
   const MetWaves& met;
   const DirectionWork& work;
+  Room& room;
   ColumnRow even;
   ColumnRow odd;
 
@@ -44,11 +51,10 @@ struct Towards {
 void integrate_level(const Towards& to, const SweepSubject& subject, std::size_t level,
                      const ChannelValues& values, const ColumnRow& row, std::size_t first) {
   const SeaEnergy& sea = to.sweep.sea;
-  ChannelValues room;
   for (std::size_t i = 0; i < subject.moments.size(); ++i) {
     const Moment moment = subject.moments[i];
     const std::size_t column = first + subject.offset(level, i, sea.num_bands);
-    const ChannelValues& weighed = weigh(to.met, moment, values, room);
+    const ChannelValues& weighed = weigh(to.met, moment, values, to.room.weighed);
     for (std::size_t b = 0; b < sea.num_bands; ++b) {
       row[column + b] = integrate(to.met, moment, sea.band[b], to.work.weights[b], weighed);
     }
@@ -68,10 +74,11 @@ const LateralMotions* damped_at(const Towards& to, const SweepSubject& subject, 
   return is_damped && feels_roll(*subject.channel) ? &to.work.damped[level - to.sweep.first_damped] : nullptr;
 }
 
-WaveThere wave_there(const SweepSubject& subject, std::size_t m, const IncidentWave& none) {
+WaveThere wave_there(const Towards& to, const SweepSubject& subject) {
   if (subject.waves == nullptr) {
-    return {none};
+    return {to.room.no_wave};
   }
+  const std::size_t m = to.met.solved_m;
   const bool is_ahead = m > kHalf / 2;
   return {subject.waves[is_ahead ? kHalf - m : m], is_ahead};
 }
@@ -95,13 +102,12 @@ void integrate_channel(const Towards& to, const SweepSubject& subject) {
   const Channel& channel = *subject.channel;
   const bool rolls = feels_roll(channel);
   const bool has_sides = subject.has_sides();
-  const IncidentWave none;
-  ChannelPart longitudinal;
-  ChannelPart lateral{};
-  ChannelValues even;
-  ChannelValues odd;
+  ChannelPart& longitudinal = to.room.longitudinal;
+  ChannelPart& lateral = to.room.lateral;
+  ChannelValues& even = to.room.even;
+  ChannelValues& odd = to.room.odd;
   if (has_sides || !rolls) {
-    longitudinal_part(to.met, channel, wave_there(subject, to.met.solved_m, none), longitudinal);
+    longitudinal_part(to.met, channel, wave_there(to, subject), longitudinal);
   }
   for (std::size_t level = 0; level < subject.num_levels; ++level) {
     if (rolls) {
@@ -125,7 +131,8 @@ void integrate_channel(const Towards& to, const SweepSubject& subject) {
 }
 
 void integrate_slow_waves(const Towards& to, const SweepSubject& subject) {
-  ChannelValues slow;
+  ChannelValues& slow = to.room.even;
+  slow.has_points = false;
   list_slow_waves(to.sweep.transfer, to.work.encounters, slow.nodes);
   integrate_level(to, subject, 0, slow, to.even, subject.first_even);
 }
@@ -152,17 +159,19 @@ std::size_t take_columns(std::size_t num_bands, std::size_t first, SweepSubjects
   std::size_t num_even = 0;
   std::size_t num_odd = 0;
   std::size_t end = first;
-  for (; end < subjects.size(); ++end) {
-    SweepSubject& subject = subjects[end];
+  bool has_room = true;
+  for (std::size_t i = first; i < subjects.size() && has_room; ++i) {
+    SweepSubject& subject = subjects[i];
     const std::size_t more = subject.num_columns(num_bands);
     const std::size_t more_odd = subject.has_sides() ? more : 0;
-    if (blocks_of(num_even + more) + blocks_of(num_odd + more_odd) > kSweepBlocks) {
-      break;
+    has_room = blocks_of(num_even + more) + blocks_of(num_odd + more_odd) <= kSweepBlocks;
+    if (has_room) {
+      subject.first_even = num_even;
+      subject.first_odd = num_odd;
+      num_even += more;
+      num_odd += more_odd;
+      end = i + 1;
     }
-    subject.first_even = num_even;
-    subject.first_odd = num_odd;
-    num_even += more;
-    num_odd += more_odd;
   }
   QS_CHECK(end > first);
   columns.num_even = blocks_of(num_even);
@@ -172,10 +181,11 @@ std::size_t take_columns(std::size_t num_bands, std::size_t first, SweepSubjects
 
 void list_integrals(const SpeedSweep& sweep, std::span<const SweepSubject> subjects, DirectionWork& work,
                     SweepColumns& columns) {
+  Room room;
   for (std::size_t m = 0; m <= kHalf; ++m) {
     look_towards(sweep, m, work);
     const MetWaves met{sweep.transfer, sweep.speed, m, work.encounters, work.longitudinal};
-    const Towards to{sweep, met, work, {columns, 0, m}, {columns, columns.first_odd(), m}};
+    const Towards to{sweep, met, work, room, {columns, 0, m}, {columns, columns.first_odd(), m}};
     for (const SweepSubject& subject : subjects) {
       if (subject.channel == nullptr) {
         integrate_slow_waves(to, subject);

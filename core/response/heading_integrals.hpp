@@ -46,6 +46,10 @@ using SweepSubjects = StaticVector<SweepSubject, kMaxChannels + 1>;
 inline constexpr std::size_t kSweepBlocks = kSweepColumns / kTransformBlock;
 using ColumnBlock = HalfCircle<kTransformBlock>;
 
+constexpr std::size_t blocks_of(std::size_t num_columns) {
+  return (num_columns + kTransformBlock - 1) / kTransformBlock;
+}
+
 /// Even columns in blocks 0 ... num_even - 1, odd ones in the last num_odd blocks.
 struct SweepColumns {
   std::array<ColumnBlock, kSweepBlocks> block{};

@@ -8,12 +8,12 @@
 // Where roll damping depends on roll, channels that feel roll are summed at each level of damping
 // (strip/roll_update.hpp); the damping of each heading is found from roll's own moments
 // (roll_linearisation.hpp), and every other moment is taken at it.
-// Work a channel, speed, level and moment: 37 or 74 sums of (frequencies x bands) + 685 x bands + 1,400 x
+// Work a channel, speed, level and moment: 37 or 74 sums of (frequencies x bands) + 532 x bands + 1,060 x
 // systems (of the variance; of other moments once) multiply-adds at 72 directions. It depends on the sea only
 // through the number of its bands and systems: a long-crested sea takes as long as one from all round.
 // Expected error: that of single precision in |H|^2 (channel_energy.hpp); of the transforms 1e-15 of the
 // largest variance on any heading, and what is below 1e-13 of that is zero. Sums run in a fixed order: same
-// bits on every run. Memory: the workspace, 1.4 MB: static.
+// bits on every run. Memory: the workspace, 1.5 MB: static.
 #pragma once
 
 #include <array>

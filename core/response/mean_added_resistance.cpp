@@ -64,7 +64,7 @@ void list_mean_added_resistance(const TransferFunctions& transfer, std::size_t s
   if (out.has_empirical) {
     integrate(transfer, transfer.empirical_resistance[speed], sea, kEmpirical, work.columns);
   }
-  work.columns.num_even = (count * sea.num_bands + kTransformBlock - 1) / kTransformBlock;
+  work.columns.num_even = blocks_of(count * sea.num_bands);
   work.columns.num_odd = 0;
   transform_columns(work.columns);
   clear(count, work.headings);

@@ -3,7 +3,7 @@
 // by the semi-empirical method where that has an answer at this speed.
 //
 // It is the same from both sides of the ship, has no roll peak, and adds over wave systems, so all of them
-// are turned back to headings together: a sweep costs 37 directions x (frequencies + bands) + 685 x bands
+// are turned back to headings together: a sweep costs 37 directions x (frequencies x bands) + 532 x bands
 // multiply-adds for each of the two. Linear between the wave frequencies. May be negative: waves from astern
 // push. Expected error: rounding, 1e-15 of the largest; of the sum over frequencies: tests/response.
 // Frequencies outside the grid of the transfer functions count as sea_energy.hpp places them.

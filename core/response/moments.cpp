@@ -15,10 +15,7 @@ constexpr std::size_t kHalfCircle = kNumDirections / 2;
 
 /// What the waves of one relative direction bring, by system: its bands together, each with what the system
 /// takes of it, between two compass directions.
-struct RelativeEnergy {
-  std::array<EnergyBand, kMaxWaveSystems> system{};
-  bool is_empty = true;
-};
+using RelativeEnergy = std::array<EnergyNodes, kMaxWaveSystems>;
 
 void add_band(const EnergyBand& band, double factor, EnergyBand& out) {
   for (std::size_t f = band.first; f <= band.last; ++f) {
@@ -33,26 +30,29 @@ void add_band(const EnergyBand& band, double factor, EnergyBand& out) {
   out.last = std::max(out.last, band.last);
 }
 
-void list_relative_energy(const SeaEnergy& sea, Heading heading, std::size_t m, RelativeEnergy& out) {
+/// Calls visit(s, band) for each system with its bands together; false when no wave comes from there.
+template <typename Visit>
+bool for_each_system(const SeaEnergy& sea, Heading heading, std::size_t m, const Visit& visit) {
   const HeadingBracket bracket = bracket_heading(heading);
   const double part = bracket.part;
   const std::size_t d0 = wave_direction(bracket.below, m);
   const std::size_t d1 = wave_direction(bracket.above, m);
-  out.is_empty = true;
+  bool is_empty = true;
   for (std::size_t s = 0; s < sea.num_systems; ++s) {
     const SystemEnergy& system = sea.part[s];
-    EnergyBand& sum = out.system[s];
-    sum = {};
+    EnergyBand sum;
     sum.first = kMaxFrequencies - 1;
     for (std::size_t b = system.first; b < system.first + system.count; ++b) {
       const double factor = (1.0 - part) * system.factor[b][d0] + part * system.factor[b][d1];
       if (factor != 0.0) {
         add_band(sea.band[b], factor, sum);
-        out.is_empty = false;
+        is_empty = false;
       }
     }
     sum.first = std::min(sum.first, sum.last);
+    visit(s, sum);
   }
+  return !is_empty;
 }
 
 /// One speed on one course, in one sea.
@@ -84,19 +84,20 @@ struct Direction {
 
 /// False: no wave comes from there.
 bool look_towards(const Course& course, std::size_t m, Direction& out) {
-  out.m = m;
-  list_relative_energy(course.sea, course.heading, m, out.energy);
-  if (out.energy.is_empty) {
-    return false;
-  }
   const std::size_t solved_m = solved_direction(m);
   const RollPeak& peak = course.transfer.peak[course.speed][solved_m];
+  out.m = m;
+  list_peak_shapes(peak, std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
+  const bool has_waves =
+      for_each_system(course.sea, course.heading, m, [&](std::size_t s, const EnergyBand& band) {
+        out.energy[s] = static_cast<const EnergyNodes&>(band);
+        list_band_weights(band, peak, out.shapes, out.weights[s]);
+      });
+  if (!has_waves) {
+    return false;
+  }
   list_encounters(course.transfer, course.speed, solved_m, out.encounters);
   list_longitudinal(course.transfer, course.speed, solved_m, out.longitudinal);
-  list_peak_shapes(peak, std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
-  for (std::size_t s = 0; s < course.sea.num_systems; ++s) {
-    list_band_weights(out.energy.system[s], peak, out.shapes, out.weights[s]);
-  }
   if (course.levels().count > 1) {
     const RollDampingLevels& levels = course.levels();
     std::array<RollAddition, kRollDampingLevels - 1> addition{};
@@ -123,7 +124,7 @@ void add_channel(const Course& course, const Direction& direction, std::size_t c
   ChannelValues room;
   list_values(met, is_mirrored(direction.m), channel, direction.at_level(level), wave, values);
   const auto of_system = [&](Moment moment, const ChannelValues& weighed, std::size_t s) {
-    return weight * integrate(met, moment, direction.energy.system[s], direction.weights[s], weighed);
+    return weight * integrate(met, moment, direction.energy[s], direction.weights[s], weighed);
   };
   const auto all = [&](Moment moment) {
     const ChannelValues& weighed = weigh(met, moment, values, room);
@@ -202,7 +203,7 @@ struct EnergyShare {
 };
 
 EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
-                        const SeaEnergy& sea, const RelativeEnergy& energy) {
+                        std::span<const EnergyNodes> systems) {
   Encounters encounters;
   list_encounters(transfer, speed, solved_direction(m), encounters);
   NodeValues slow_waves{};  // the waves themselves have no peak
@@ -210,9 +211,9 @@ EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, st
   list_slow_waves(transfer, encounters, slow_waves);
   all_waves.fill(1.0);
   EnergyShare out;
-  for (std::size_t s = 0; s < sea.num_systems; ++s) {
-    out.slow += integrate(energy.system[s], slow_waves);
-    out.all += integrate(energy.system[s], all_waves);
+  for (const EnergyNodes& system : systems) {
+    out.slow += integrate(system, slow_waves);
+    out.all += integrate(system, all_waves);
   }
   return out;
 }
@@ -308,12 +309,15 @@ Result<double> slow_wave_share(const TransferFunctions& transfer, const SeaEnerg
   double all = 0.0;
   RelativeEnergy energy;
   for (std::size_t m = 0; m < kNumDirections; ++m) {
-    list_relative_energy(sea, heading, m, energy);
-    if (energy.is_empty) {
+    const bool has_waves = for_each_system(sea, heading, m, [&](std::size_t s, const EnergyBand& band) {
+      energy[s] = static_cast<const EnergyNodes&>(band);
+    });
+    if (!has_waves) {
       continue;
     }
-    const EnergyShare lower = wave_energy(transfer, bracket->lower, m, sea, energy);
-    const EnergyShare upper = wave_energy(transfer, bracket->upper, m, sea, energy);
+    const auto systems = std::span<const EnergyNodes>(energy).first(sea.num_systems);
+    const EnergyShare lower = wave_energy(transfer, bracket->lower, m, systems);
+    const EnergyShare upper = wave_energy(transfer, bracket->upper, m, systems);
     slow += (1.0 - bracket->part) * lower.slow + bracket->part * upper.slow;
     all += lower.all;
   }

@@ -38,11 +38,15 @@
 
 namespace quickstrip {
 
-/// Energy [m2] by node, and density [m2 s] by interval as Legendre terms; zero outside nodes first ... last.
-struct EnergyBand {
+/// Energy [m2] by node; zero outside nodes first ... last.
+struct EnergyNodes {
   std::size_t first = 0;
   std::size_t last = 0;
   std::array<double, kMaxFrequencies> node{};
+};
+
+/// And density [m2 s] by interval as Legendre terms.
+struct EnergyBand : EnergyNodes {
   std::array<DensityTerms, kMaxFrequencies - 1> density{};
 };
 

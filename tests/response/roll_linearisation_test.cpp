@@ -113,6 +113,52 @@ class LinearisedS175 : public testing::Test {
     ASSERT_TRUE(place_on_grid(sea, omega, *sea_).ok());
   }
 
+  // Two crossing seas as a buoy gives them: more bands than the sweep has room for at once.
+  void place_measured() {
+    const auto spectrum = std::make_unique<DirectionalSpectrum>();
+    for (std::size_t d = 0; d < kMaxSpectrumDirections; ++d) {
+      ASSERT_TRUE(spectrum->directions.push_back(kTwoPi * static_cast<double>(d) / kMaxSpectrumDirections));
+    }
+    for (std::size_t f = 0; f < kMaxSpectrumFrequencies; ++f) {
+      const double omega = 0.25 + 0.03 * static_cast<double>(f);
+      ASSERT_TRUE(spectrum->frequencies.push_back(omega));
+      for (std::size_t d = 0; d < kMaxSpectrumDirections; ++d) {
+        const auto hump = [&](double peak, double from, double height) {
+          const double x = (omega - peak) / 0.12;
+          return height * std::exp(-x * x) * std::pow(std::cos(0.5 * (spectrum->directions[d] - from)), 16);
+        };
+        spectrum->density[f][d] = hump(0.45, 2.0, 4.0) + hump(0.8, 5.5, 1.5);
+      }
+    }
+    const auto omega = std::span(transfer_->omega).first(transfer_->num_frequencies);
+    ASSERT_TRUE(place_on_grid(*spectrum, omega, *sea_).ok());
+  }
+
+  // Every seventh heading of the sweep beside the same course by itself.
+  void expect_sweep_is_the_courses(double speed) {
+    const auto work = std::make_unique<SweepWorkspace>();
+    const auto moments = std::make_unique<HeadingMoments>();
+    Needs needs{};
+    needs.fill(Need::kVarianceAndLowEncounter);
+    prepare_sweep(*transfer_, watch_, needs, *work);
+    list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
+    std::vector<ResponseMoments> one(watch_.channels.size());
+    for (std::size_t h = 0; h < kNumDirections; h += 7) {
+      const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(kNumDirections)};
+      const Result<RollDampingInUse> damping =
+          response_moments(*transfer_, watch_, *sea_, heading, speed, one);
+      ASSERT_TRUE(damping.ok());
+      EXPECT_NEAR(moments->roll_damping.added[h] / damping->added, 1.0, 1e-6);
+      for (std::size_t c = 0; c < one.size(); ++c) {
+        // Transforms round at 1e-13 of the largest variance on any heading; dampings differ by the 1e-7 to
+        // which both are solved.
+        const ByHeading& all = moments->channel[c].m0;
+        const double largest = *std::max_element(all.begin(), all.end());
+        EXPECT_NEAR(all[h], one[c].m0, 1e-6 * one[c].m0 + 1e-12 * largest) << c << " heading " << h;
+      }
+    }
+  }
+
   RollDampingInUse respond(const Seaway& at, std::vector<ResponseMoments>& out) {
     out.resize(watch_.channels.size());
     const Result<RollDampingInUse> damping =
@@ -216,26 +262,14 @@ TEST_F(LinearisedS175, SweepAndSingleCourseAgree) {
   const double speed = 6.0;
   solve(speed);
   place({6.0, 13.0, 60.0, speed, 30.0});
-  const auto work = std::make_unique<SweepWorkspace>();
-  const auto moments = std::make_unique<HeadingMoments>();
-  Needs needs{};
-  needs.fill(Need::kVarianceAndLowEncounter);
-  prepare_sweep(*transfer_, watch_, needs, *work);
-  list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
-  std::vector<ResponseMoments> one(watch_.channels.size());
-  for (std::size_t h = 0; h < kNumDirections; h += 7) {
-    const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(kNumDirections)};
-    const Result<RollDampingInUse> damping = response_moments(*transfer_, watch_, *sea_, heading, speed, one);
-    ASSERT_TRUE(damping.ok());
-    EXPECT_NEAR(moments->roll_damping.added[h] / damping->added, 1.0, 1e-6);
-    for (std::size_t c = 0; c < one.size(); ++c) {
-      // Transforms round at 1e-13 of the largest variance on any heading; dampings differ by the 1e-7 to
-      // which both are solved.
-      const ByHeading& all = moments->channel[c].m0;
-      const double largest = *std::max_element(all.begin(), all.end());
-      EXPECT_NEAR(all[h], one[c].m0, 1e-6 * one[c].m0 + 1e-12 * largest) << c << " heading " << h;
-    }
-  }
+  expect_sweep_is_the_courses(speed);
+}
+
+TEST_F(LinearisedS175, AlsoInAMeasuredSpectrum) {
+  const double speed = 6.0;
+  solve(speed);
+  place_measured();
+  expect_sweep_is_the_courses(speed);
 }
 
 // The seas of [Journee1992] Table 1, all round the ship at four speeds: the steps that linearise_roll() is
