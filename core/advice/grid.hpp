@@ -48,11 +48,11 @@ struct GridInputs {
 
 /// Scratch of sweep_grid; its contents mean nothing between calls.
 struct GridWorkspace {
-  Needs needs{};
   SweepWorkspace sweep;
   HeadingMoments moments;
   HeadingResistance resistance;
   std::array<ResponseMoments, kMaxChannels> cell{};
+  Needs needs{};
 };
 
 /// Speeds of the grid are those of the transfer functions. Errors: kEmptySpectrum (no energy anywhere),

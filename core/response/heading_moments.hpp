@@ -60,16 +60,16 @@ struct SweepWorkspace {
   // By channel of relative motion and direction of 0 ... 90 degrees: on the centre line the wave of the
   // supplementary angle is the complex conjugate.
   std::array<std::array<IncidentWave, kNumDirections / 4 + 1>, kMaxRelativeChannels> wave{};
-  std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
   // Of one speed: channels in the order of their sums, and those sums.
-  SweepSubjects subjects;
   DirectionWork direction;
   SweepColumns columns;
   HeadingColumns headings;
+  SweepSubjects subjects;
   // Where roll damping depends on roll: moments of a channel at each level, and what each counts for on every
   // heading.
   std::array<ChannelMoments, kRollDampingLevels> at_level{};
   std::array<ByHeading, kRollDampingLevels> level_weight{};
+  std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
 };
 
 /// Once a cycle.

@@ -69,13 +69,13 @@ struct Course {
 
 /// One relative direction, and lateral motions at other dampings there.
 struct Direction {
-  std::size_t m = 0;
-  Encounters encounters;
   LongitudinalMotions longitudinal;
+  std::array<LateralMotions, kRollDampingLevels - 1> damped;
+  std::array<BandWeights, kMaxWaveSystems> weights;  // by system
+  Encounters encounters;
   PeakShapes shapes;
   RelativeEnergy energy;
-  std::array<BandWeights, kMaxWaveSystems> weights;  // by system
-  std::array<LateralMotions, kRollDampingLevels - 1> damped;
+  std::size_t m = 0;
 
   [[nodiscard]] const LateralMotions* at_level(std::size_t level) const {
     return level > 0 ? &damped[level - 1] : nullptr;
