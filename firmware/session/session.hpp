@@ -150,10 +150,10 @@ class Session {
   template <typename Message>
   void stamp(Message& message, std::int64_t now) const;
 
+  Advisor advisor_;
   const Hull* hull_ = nullptr;
   Criteria criteria_;
   SessionOptions options_;
-  Advisor advisor_;
   Inputs inputs_;
   Alerts alerts_;
   StaticVector<Query, 8> queries_;
