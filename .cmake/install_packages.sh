@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and nothing when none is.
-#   .cmake/install_packages.sh build|test|demo|fuzz|arm64 ...
+#   .cmake/install_packages.sh build|test|demo|bench|fuzz|arm64 ...
 # Needs Debian 12, Ubuntu 24.04 or newer (CMake 3.25), and root or sudo when something is missing.
 set -euo pipefail
 
@@ -11,6 +11,7 @@ test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux
   lintian python3
   gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm)
 demo=(iproute2 util-linux gnuplot-nox chromium)
+bench=(libbenchmark-dev)
 fuzz=(clang-14 libclang-rt-14-dev)
 arm64=(g++-aarch64-linux-gnu qemu-user-static)
 
@@ -20,9 +21,10 @@ for set in "$@"; do
     build) wanted+=("${build[@]}") ;;
     test) wanted+=("${test[@]}") ;;
     demo) wanted+=("${demo[@]}") ;;
+    bench) wanted+=("${bench[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
     arm64) wanted+=("${arm64[@]}") ;;
-    *) echo "usage: install_packages.sh build|test|demo|fuzz|arm64 ..." >&2; exit 2 ;;
+    *) echo "usage: install_packages.sh build|test|demo|bench|fuzz|arm64 ..." >&2; exit 2 ;;
   esac
 done
 

@@ -6,7 +6,7 @@
 // (value - straight line) times wave energy density over the intervals of the peak (strip/roll_peak.hpp),
 // the density a cubic in each interval (sea/sea_energy.hpp). A response that is linear there gets nothing
 // added. Relative error of the cubic: below 1 % of the peak for JONSWAP of gamma 7 (tests/sea).
-// Cost: 14 flops a point of the peak and band. No state.
+// Cost: 10 flops a point of the peak and band. No state.
 #pragma once
 
 #include <array>

@@ -224,20 +224,18 @@ void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m,
 
 // Between the frequencies, on a straight line.
 void list_longitudinal(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                       LongitudinalMotions& out) {
+                       const PointValues& place, LongitudinalMotions& out) {
   const MotionRow& row = transfer.row[speed][solved_m];
   const RollPeak& peak = transfer.peak[speed][solved_m];
   for (const PeakInterval& interval : peak.intervals) {
     const std::size_t node = interval.node;
-    const double from = transfer.omega[node];
-    const double by_width = 1.0 / (transfer.omega[node + 1] - from);
     for (std::size_t p = interval.first; p < std::size_t{interval.first} + interval.count; ++p) {
-      const auto place = static_cast<float>((static_cast<double>(peak.omega[p]) - from) * by_width);
+      const auto t = static_cast<float>(place[p]);
       for (std::size_t i = 0; i < kLongitudinalModes.size(); ++i) {
         const auto& re = row.re[kLongitudinalModes[i]];
         const auto& im = row.im[kLongitudinalModes[i]];
-        out.re[i][p] = re[node] + place * (re[node + 1] - re[node]);
-        out.im[i][p] = im[node] + place * (im[node + 1] - im[node]);
+        out.re[i][p] = re[node] + t * (re[node + 1] - re[node]);
+        out.im[i][p] = im[node] + t * (im[node + 1] - im[node]);
       }
     }
   }

@@ -85,13 +85,13 @@ struct alignas(kCacheLine) LateralMotions {
   std::array<std::array<float, kMaxPeakPoints>, 3> point_im{};
 };
 
-/// Surge, heave and pitch at the points of the roll peak.
+/// Surge, heave and pitch at the points of the roll peak; `place`: of each in its interval, 0 ... 1.
 struct alignas(kCacheLine) LongitudinalMotions {
   std::array<PointParts, 3> re{};
   std::array<PointParts, 3> im{};
 };
 void list_longitudinal(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                       LongitudinalMotions& out);
+                       const PointValues& place, LongitudinalMotions& out);
 
 /// What some of the motions make of a channel: at the wave frequencies and, where the channel feels roll, at
 /// the points of its peak.

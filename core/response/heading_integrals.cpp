@@ -142,8 +142,8 @@ void look_towards(const SpeedSweep& sweep, std::size_t m, DirectionWork& out) {
   const TransferFunctions& transfer = sweep.transfer;
   const RollPeak& peak = transfer.peak[sweep.speed][m];
   list_encounters(transfer, sweep.speed, m, out.encounters);
-  list_longitudinal(transfer, sweep.speed, m, out.longitudinal);
   list_peak_shapes(peak, std::span(transfer.omega).first(transfer.num_frequencies), out.shapes);
+  list_longitudinal(transfer, sweep.speed, m, out.shapes.place, out.longitudinal);
   for (std::size_t b = 0; b < sweep.sea.num_bands; ++b) {
     list_band_weights(sweep.sea.band[b], peak, out.shapes, out.weights[b]);
   }

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "core/base/capacity.hpp"
 #include "core/base/direction_transform.hpp"

@@ -13,7 +13,7 @@
 // through the number of its bands and systems: a long-crested sea takes as long as one from all round.
 // Expected error: that of single precision in |H|^2 (channel_energy.hpp); of the transforms 1e-15 of the
 // largest variance on any heading, and what is below 1e-13 of that is zero. Sums run in a fixed order: same
-// bits on every run. Memory: the workspace, 1.5 MB: static.
+// bits on every run. Memory: the workspace, 1.4 MB: static.
 #pragma once
 
 #include <array>

@@ -97,7 +97,7 @@ bool look_towards(const Course& course, std::size_t m, Direction& out) {
     return false;
   }
   list_encounters(course.transfer, course.speed, solved_m, out.encounters);
-  list_longitudinal(course.transfer, course.speed, solved_m, out.longitudinal);
+  list_longitudinal(course.transfer, course.speed, solved_m, out.shapes.place, out.longitudinal);
   if (course.levels().count > 1) {
     const RollDampingLevels& levels = course.levels();
     std::array<RollAddition, kRollDampingLevels - 1> addition{};

@@ -4,10 +4,10 @@
 // the sea into encounter frequency, so a following sea needs no special care. Variances of systems add.
 // Between the nodes the moments are interpolated bilinearly: in heading between the directions of the wave
 // energy, in speed between the solved speeds. Channels that feel roll are summed at the points of the roll
-// peak as well (peak_terms.hpp).
+// peak as well (band_weights.hpp).
 // Where roll damping depends on roll, the damping of this course is found first, at each of the two speeds,
 // as the sweep does it (heading_moments.hpp).
-// Cost: 2 speeds x 72 directions x channels x (frequencies + bands of the sea).
+// Cost: 2 speeds x 72 directions x channels x frequencies x systems of the sea, whose bands are merged first.
 #pragma once
 
 #include <array>

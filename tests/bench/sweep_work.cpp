@@ -40,12 +40,12 @@ double band_flops(const SeaEnergy& sea, const RollPeak* peak) {
   return flops;
 }
 
-// Weights of the points, for all channels together: 14 a point and band.
+// Weights of the points, for all channels together: 10 a point and band.
 double weight_flops(const SeaEnergy& sea, const RollPeak& peak) {
   double flops = 0.0;
   for (std::size_t b = 0; b < sea.num_bands; ++b) {
     for (const PeakInterval& interval : peak.intervals) {
-      flops += holds(sea.band[b], interval) ? 14.0 * interval.count : 0.0;
+      flops += holds(sea.band[b], interval) ? 10.0 * interval.count : 0.0;
     }
   }
   return flops;
