@@ -9,4 +9,4 @@ target_compile_options(quickstrip_warnings INTERFACE
 # What reads a command line: CLI11's templates cost 37 s a file to optimise with sanitizers, 10 s without
 # optimisation, and there is no loop of ours that would be worth it.
 add_library(quickstrip_quick_to_compile INTERFACE)
-target_compile_options(quickstrip_quick_to_compile INTERFACE $<$<CONFIG:RelWithDebInfo>:-O0>)
+target_compile_options(quickstrip_quick_to_compile INTERFACE $<$<CONFIG:RelWithDebInfo>:-O0> $<$<CONFIG:Release>:-O1>)
