@@ -110,7 +110,12 @@ Status Advisor::build(const Loading& loading) {
     return status;
   }
   channels_ = bind_criteria(criteria_, watch_);
-  return solve_speeds(memory);
+  if (const Status status = solve_speeds(memory); !status) {
+    return status;
+  }
+  // Here and not in the first cycle, that every cycle takes the same time.
+  prepare_sweep(transfer_, watch_, memory_.emplace<CycleMemory>().grid.sweep);
+  return {};
 }
 
 Status Advisor::solve_speeds(BuildMemory& memory) {

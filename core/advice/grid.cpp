@@ -75,7 +75,6 @@ void for_each_speed(const GridInputs& inputs, const Needs& needs, bool counts_sl
                     GridWorkspace& workspace, const Visit& visit) {
   workspace.needs = needs;
   workspace.cell.fill(ResponseMoments{});
-  prepare_sweep(inputs.transfer, inputs.watch, workspace.needs, workspace.sweep);
   const SweepOptions options{counts_slow_waves, inputs.is_stabilised, inputs.roll_shift};
   for (std::size_t v = 0; v < inputs.transfer.num_speeds; ++v) {
     list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea, options,

@@ -46,7 +46,7 @@ struct GridInputs {
   bool wants_all_bandwidths = false;  // of every quantity in a response, not of the watched ones alone
 };
 
-/// Scratch of sweep_grid; its contents mean nothing between calls.
+/// Scratch of sweep_grid, but for what prepare_sweep() leaves in `sweep`.
 struct GridWorkspace {
   SweepWorkspace sweep;
   HeadingMoments moments;
@@ -55,7 +55,8 @@ struct GridWorkspace {
   Needs needs{};
 };
 
-/// Speeds of the grid are those of the transfer functions. Errors: kEmptySpectrum (no energy anywhere),
+/// Speeds of the grid are those of the transfer functions, for which, and for the watch, the workspace is
+/// prepared (prepare_sweep()). Errors: kEmptySpectrum (no energy anywhere),
 /// kOutOfRange (num_headings), kTooMany (sea and transfer functions have different frequencies).
 Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out);
 

@@ -1,4 +1,5 @@
-// Sums over arrays in groups of four, so that the compiler may use vectors without reordering anything.
+// Arrays in groups of four, as the vectors of a processor hold them: loops over whole groups need no
+// remainder.
 #pragma once
 
 #include <array>
@@ -26,18 +27,6 @@ constexpr LaneRange lanes_that_hold(std::size_t first, std::size_t last) {
 
 constexpr std::size_t whole_lanes(std::size_t count) {
   return (count + kLanes - 1) / kLanes * kLanes;
-}
-
-/// Sum of products over a range: four partial sums.
-template <std::size_t N>
-double dot(const std::array<double, N>& a, const std::array<double, N>& b, const LaneRange& range) {
-  std::array<double, kLanes> sums{};
-  for (std::size_t i = range.first; i < range.end; i += kLanes) {
-    for (std::size_t j = 0; j < kLanes; ++j) {
-      sums[j] += a[i + j] * b[i + j];
-    }
-  }
-  return (sums[0] + sums[2]) + (sums[1] + sums[3]);
 }
 
 }  // namespace quickstrip

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "core/base/check.hpp"
+#include "core/base/dot.hpp"
 #include "core/base/legendre.hpp"
 
 namespace quickstrip {
 namespace {
-
-LaneRange lanes_of(const EnergyNodes& band) {
-  return lanes_that_hold(band.first, band.last);
-}
 
 double density_at(const DensityTerms& density, const std::array<double, kDensityTerms>& term) {
   return (density[0] * term[0] + density[2] * term[2]) + (density[1] * term[1] + density[3] * term[3]);
@@ -18,8 +16,9 @@ double density_at(const DensityTerms& density, const std::array<double, kDensity
 void clear(BandWeights& out) {
   const auto drop = [](auto& values, const LaneRange& range) {
     std::fill(values.begin() + static_cast<std::ptrdiff_t>(range.first),
-              values.begin() + static_cast<std::ptrdiff_t>(range.end), 0.0);
+              values.begin() + static_cast<std::ptrdiff_t>(range.end), 0.0F);
   };
+  drop(out.energy, out.nodes);
   drop(out.at_nodes, out.nodes);
   drop(out.at_points, out.points);
   out.nodes = {};
@@ -45,9 +44,10 @@ void list_peak_shapes(const RollPeak& peak, std::span<const double> omega, PeakS
 void list_band_weights(const EnergyBand& band, const RollPeak& peak, const PeakShapes& shapes,
                        BandWeights& out) {
   clear(out);
-  out.nodes = lanes_of(band);
+  out.nodes = lanes_that_hold(band.first, band.last);
   for (std::size_t f = out.nodes.first; f < out.nodes.end; ++f) {
-    out.at_nodes[f] = band.node[f];
+    out.energy[f] = static_cast<float>(band.node[f]);
+    out.at_nodes[f] = out.energy[f];
   }
   for (const PeakInterval& interval : peak.intervals) {
     const std::size_t node = interval.node;
@@ -59,34 +59,43 @@ void list_band_weights(const EnergyBand& band, const RollPeak& peak, const PeakS
     double at_upper = 0.0;
     for (std::size_t p = interval.first; p < end; ++p) {
       const double weight = density_at(band.density[node], shapes.term[p]);
-      out.at_points[p] = weight;
+      out.at_points[p] = static_cast<float>(weight);
       whole += weight;
       at_upper += shapes.place[p] * weight;
     }
-    out.at_nodes[node] -= whole - at_upper;  // the straight line
-    out.at_nodes[node + 1] -= at_upper;
+    out.at_nodes[node] -= static_cast<float>(whole - at_upper);  // the straight line
+    out.at_nodes[node + 1] -= static_cast<float>(at_upper);
     const LaneRange here = lanes_that_hold(interval.first, end - 1);
     out.points = {out.points.is_empty() ? here.first : out.points.first, here.end};
   }
 }
 
-double integrate(const BandWeights& weights, const ChannelValues& values) {
-  return dot(values.nodes, weights.at_nodes, weights.nodes) +
-         dot(values.points, weights.at_points, weights.points);
+void integrate(std::span<const BandWeights> bands, const ChannelValues& values, std::span<double> out) {
+  QS_CHECK(out.size() == bands.size());
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const BandWeights& band = bands[b];
+    out[b] = values.has_points ? dot(values.nodes, band.at_nodes, band.nodes) +
+                                     dot(values.points, band.at_points, band.points)
+                               : dot(values.nodes, band.energy, band.nodes);
+  }
+}
+
+void integrate_low(std::span<const BandWeights> bands, const Encounters& encounters,
+                   const NodeValues& at_nodes, std::span<double> out) {
+  QS_CHECK(out.size() == bands.size());
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const BandWeights& band = bands[b];
+    const std::size_t end = std::min(band.nodes.end, encounters.low.end);
+    double sum = 0.0;
+    for (std::size_t f = std::max(band.nodes.first, encounters.low.first); f < end; ++f) {
+      sum += static_cast<double>((at_nodes[f] * encounters.is_low[f]) * band.energy[f]);
+    }
+    out[b] = sum;
+  }
 }
 
 double integrate(const EnergyNodes& band, const NodeValues& at_nodes) {
-  return dot(at_nodes, band.node, lanes_of(band));
-}
-
-double integrate_low(const EnergyNodes& band, const Encounters& encounters, const NodeValues& at_nodes) {
-  const LaneRange range = lanes_of(band);
-  const std::size_t end = std::min(range.end, encounters.low.end);
-  double sum = 0.0;
-  for (std::size_t f = std::max(range.first, encounters.low.first); f < end; ++f) {
-    sum += (at_nodes[f] * encounters.is_low[f]) * band.node[f];
-  }
-  return sum;
+  return dot(at_nodes, band.node, lanes_that_hold(band.first, band.last));
 }
 
 }  // namespace quickstrip

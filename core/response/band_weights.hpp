@@ -6,7 +6,8 @@
 // (value - straight line) times wave energy density over the intervals of the peak (strip/roll_peak.hpp),
 // the density a cubic in each interval (sea/sea_energy.hpp). A response that is linear there gets nothing
 // added. Relative error of the cubic: below 1 % of the peak for JONSWAP of gamma 7 (tests/sea).
-// Cost: 10 flops a point of the peak and band. No state.
+// In single precision, as responses are; sums are double. Cost: 10 flops a point of the peak and band. No
+// state.
 #pragma once
 
 #include <array>
@@ -23,27 +24,31 @@ namespace quickstrip {
 /// What does not depend on the sea: each point's place in its interval, 0 ... 1, and its weight times
 /// Legendre terms.
 struct PeakShapes {
-  PointValues place{};
+  std::array<double, kMaxPeakPoints> place{};
   std::array<std::array<double, kDensityTerms>, kMaxPeakPoints> term{};
 };
 void list_peak_shapes(const RollPeak& peak, std::span<const double> omega, PeakShapes& out);
 
-/// Zero outside the ranges.
+/// Zero outside the ranges. A response without points is weighed by the band's own energies.
 struct alignas(kCacheLine) BandWeights {
+  NodeValues energy{};  // m2
   NodeValues at_nodes{};
   PointValues at_points{};
   LaneRange nodes{};
   LaneRange points{};
 };
 
-/// Of a response that feels roll. For another the weights are the band's own energies.
 void list_band_weights(const EnergyBand& band, const RollPeak& peak, const PeakShapes& shapes,
                        BandWeights& out);
 
-/// Integrals over a band of a response, with points and without, and of its part in waves that are met below
-/// the floor (the peak keeps off those).
-double integrate(const BandWeights& weights, const ChannelValues& values);
+/// out[b]: integral over bands[b] of a response. Spans of one length.
+void integrate(std::span<const BandWeights> bands, const ChannelValues& values, std::span<double> out);
+
+/// Of its part in waves that are met below the floor; the peak keeps off those.
+void integrate_low(std::span<const BandWeights> bands, const Encounters& encounters,
+                   const NodeValues& at_nodes, std::span<double> out);
+
+/// Over a band of a response without points.
 double integrate(const EnergyNodes& band, const NodeValues& at_nodes);
-double integrate_low(const EnergyNodes& band, const Encounters& encounters, const NodeValues& at_nodes);
 
 }  // namespace quickstrip

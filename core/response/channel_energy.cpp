@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 
 #include "core/base/check.hpp"
 #include "core/response/relative_motion.hpp"
@@ -18,44 +19,33 @@ bool is_slow(double omega, double omega_e, double floor) {
   return std::fabs(omega_e) < std::max(floor, kSlowEncounter * omega);
 }
 
-bool is_lateral(std::size_t mode) {
-  return mode % 2 == 1;  // sway, roll, yaw
-}
-
 struct Coefficient {
   float displacement = 0.0F;
   float acceleration = 0.0F;
 };
 
-bool is_absent(const LinearForm& form, std::size_t mode) {
-  return form.displacement[mode] == 0.0 && form.acceleration[mode] == 0.0;
-}
-
 Coefficient coefficient_of(const LinearForm& form, std::size_t mode) {
   return {static_cast<float>(form.displacement[mode]), static_cast<float>(form.acceleration[mode])};
 }
 
-bool has_motion(const LinearForm& form, bool lateral) {
-  for (std::size_t mode = 0; mode < 6; ++mode) {
-    if (is_lateral(mode) == lateral && !is_absent(form, mode)) {
-      return true;
-    }
-  }
-  return false;
-}
+/// What the parts of a channel are put together from: the first motion is put where it belongs, the others
+/// are added to it.
+enum class Step : std::uint8_t { kPut, kAdd };
 
-// Adds (displacement + omega_e^2 acceleration) times a motion, in place; whole groups.
-template <std::size_t N>
-void add_motion(const Coefficient& c, const std::array<float, N>& squared, const std::array<float, N>& re_of,
-                const std::array<float, N>& im_of, std::size_t n, std::array<float, N>& re,
-                std::array<float, N>& im) {
+// (displacement + omega_e^2 acceleration) times a motion; whole groups.
+template <Step step, std::size_t N>
+void compose(Coefficient c, const std::array<float, N>& squared, const std::array<float, N>& re_of,
+             const std::array<float, N>& im_of, std::size_t n, std::array<float, N>& re,
+             std::array<float, N>& im) {
   for (std::size_t f = 0; f < n; f += kLanes) {
     std::array<float, kLanes> sum_re;
     std::array<float, kLanes> sum_im;
     for (std::size_t j = 0; j < kLanes; ++j) {
       const float factor = c.displacement + c.acceleration * squared[f + j];
-      sum_re[j] = re[f + j] + factor * re_of[f + j];
-      sum_im[j] = im[f + j] + factor * im_of[f + j];
+      const float more_re = factor * re_of[f + j];
+      const float more_im = factor * im_of[f + j];
+      sum_re[j] = step == Step::kAdd ? re[f + j] + more_re : more_re;
+      sum_im[j] = step == Step::kAdd ? im[f + j] + more_im : more_im;
     }
     for (std::size_t j = 0; j < kLanes; ++j) {
       re[f + j] = sum_re[j];
@@ -65,84 +55,94 @@ void add_motion(const Coefficient& c, const std::array<float, N>& squared, const
 }
 
 template <std::size_t N>
-void square(const std::array<float, N>& re, const std::array<float, N>& im, std::size_t n,
-            std::array<double, N>& out) {
-  for (std::size_t f = 0; f < n; ++f) {
-    out[f] = static_cast<double>(re[f] * re[f] + im[f] * im[f]);
+void compose(Step step, Coefficient c, const std::array<float, N>& squared, const std::array<float, N>& re_of,
+             const std::array<float, N>& im_of, std::size_t n, std::array<float, N>& re,
+             std::array<float, N>& im) {
+  if (step == Step::kPut) {
+    compose<Step::kPut>(c, squared, re_of, im_of, n, re, im);
+  } else {
+    compose<Step::kAdd>(c, squared, re_of, im_of, n, re, im);
   }
 }
 
 template <std::size_t N>
-void multiply_by_square(const std::array<double, N>& factor, std::size_t n, std::array<double, N>& out) {
+void square(const std::array<float, N>& re, const std::array<float, N>& im, std::size_t n,
+            std::array<float, N>& out) {
   for (std::size_t f = 0; f < n; ++f) {
-    out[f] *= factor[f] * factor[f];
+    out[f] = re[f] * re[f] + im[f] * im[f];
+  }
+}
+
+template <std::size_t N>
+void multiply_by(const std::array<float, N>& factor, std::size_t n, std::array<float, N>& out) {
+  for (std::size_t f = 0; f < n; ++f) {
+    out[f] *= factor[f];
   }
 }
 
 // Without a branch a frequency: it is what the cycle does for every relative motion.
-void raise_by_swell_up(const DynamicSwellUp& swell_up, double speed, const NodeValues& omega_e, std::size_t n,
-                       NodeValues& out) {
-  const double elsewhere = swell_up.elsewhere * swell_up.elsewhere;
+void raise_by_swell_up(const DynamicSwellUp& swell_up, double speed, const Encounters& encounters,
+                       std::size_t n, NodeValues& out) {
+  const auto elsewhere = static_cast<float>(swell_up.elsewhere * swell_up.elsewhere);
   if (!swell_up.speeds.holds(speed)) {
     for (std::size_t f = 0; f < n; ++f) {
       out[f] *= elsewhere;
     }
     return;
   }
-  const Interval range = swell_up.frequencies;
-  const double slope = swell_up.by_frequency;
+  const auto from = static_cast<float>(swell_up.frequencies.from);
+  const auto to = static_cast<float>(swell_up.frequencies.to);
+  const auto slope = static_cast<float>(swell_up.by_frequency);
   for (std::size_t f = 0; f < n; ++f) {
-    const double frequency = std::fabs(omega_e[f]);
-    const double factor = 1.0 + slope * frequency;
-    const double within = frequency >= range.from ? factor * factor : elsewhere;
-    out[f] *= frequency <= range.to ? within : elsewhere;
+    const float frequency = encounters.magnitude[f];
+    const float factor = 1.0F + slope * frequency;
+    const float is_above = static_cast<float>(frequency >= from);
+    const float is_below = static_cast<float>(frequency <= to);
+    out[f] *= elsewhere + (is_above * is_below) * (factor * factor - elsewhere);
   }
 }
 
-void start(const WaveThere* there, bool has_points, ChannelPart& out) {
-  if (there != nullptr) {
-    const float side = there->is_conjugate ? -1.0F : 1.0F;
-    out.re = there->wave.re;
-    for (std::size_t f = 0; f < kMaxFrequencies; ++f) {
-      out.im[f] = side * there->wave.im[f];
-    }
-  } else {
-    out.re.fill(0.0F);
-    out.im.fill(0.0F);
+void put_wave(const WaveThere& there, ChannelPart& out) {
+  const float side = there.is_conjugate ? -1.0F : 1.0F;
+  out.re = there.wave.re;
+  for (std::size_t f = 0; f < kMaxFrequencies; ++f) {
+    out.im[f] = side * there.wave.im[f];
   }
-  if (has_points) {
-    out.point_re.fill(0.0F);
-    out.point_im.fill(0.0F);
-  }
+}
+
+// Of a channel that none of these motions moves.
+void put_nothing(ChannelPart& out) {
+  out.re.fill(0.0F);
+  out.im.fill(0.0F);
+  out.point_re.fill(0.0F);
+  out.point_im.fill(0.0F);
 }
 
 template <std::size_t N>
 void even_and_odd(const std::array<float, N>& a_re, const std::array<float, N>& a_im,
                   const std::array<float, N>& b_re, const std::array<float, N>& b_im, std::size_t n,
-                  std::array<double, N>& even, std::array<double, N>& odd) {
+                  std::array<float, N>& even, std::array<float, N>& odd) {
   for (std::size_t f = 0; f < n; ++f) {
-    even[f] = static_cast<double>((a_re[f] * a_re[f] + a_im[f] * a_im[f]) +
-                                  (b_re[f] * b_re[f] + b_im[f] * b_im[f]));
-    odd[f] = static_cast<double>(2.0F * (a_re[f] * b_re[f] + a_im[f] * b_im[f]));
+    even[f] = (a_re[f] * a_re[f] + a_im[f] * a_im[f]) + (b_re[f] * b_re[f] + b_im[f] * b_im[f]);
+    odd[f] = 2.0F * (a_re[f] * b_re[f] + a_im[f] * b_im[f]);
   }
 }
 
 // What fills the last group weighs nothing, and must be a number.
 void close_points(std::size_t num_points, ChannelValues& out) {
   std::fill(out.points.begin() + static_cast<std::ptrdiff_t>(num_points),
-            out.points.begin() + static_cast<std::ptrdiff_t>(whole_lanes(num_points)), 0.0);
+            out.points.begin() + static_cast<std::ptrdiff_t>(whole_lanes(num_points)), 0.0F);
 }
 
 // What squares are multiplied by: of a velocity, and of relative motion where the water swells up.
 void raise(const MetWaves& met, const Channel& channel, ChannelValues& out) {
-  const std::size_t n = met.transfer.num_frequencies;
+  const std::size_t n = whole_lanes(met.transfer.num_frequencies);
   if (channel.form.wave > 0.0) {
-    raise_by_swell_up(channel.dynamic_swell_up, met.transfer.speeds[met.speed], met.encounters.frequency, n,
-                      out.nodes);
+    raise_by_swell_up(channel.dynamic_swell_up, met.transfer.speeds[met.speed], met.encounters, n, out.nodes);
   }
   if (channel.is_rate) {
-    multiply_by_square(met.encounters.frequency, n, out.nodes);
-    multiply_by_square(met.encounters.at_points, met.peak().num_points, out.points);
+    multiply_by(met.encounters.squared, n, out.nodes);
+    multiply_by(met.encounters.squared_at_points, whole_lanes(met.peak().num_points), out.points);
   }
 }
 
@@ -162,17 +162,9 @@ bool is_mirrored(std::size_t m) {
   return m > kHalfCircle;
 }
 
-bool feels_roll(const Channel& channel) {
-  return has_motion(channel.form, true);
-}
-
-bool is_symmetric(const Channel& channel) {
-  return !feels_roll(channel) || !(has_motion(channel.form, false) || channel.form.wave != 0.0);
-}
-
 void list_slow_waves(const TransferFunctions& transfer, const Encounters& encounters, NodeValues& out) {
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-    out[f] = is_slow(transfer.omega[f], encounters.frequency[f], transfer.encounter_floor[f]) ? 1.0 : 0.0;
+    out[f] = is_slow(transfer.omega[f], encounters.frequency[f], transfer.encounter_floor[f]) ? 1.0F : 0.0F;
   }
 }
 
@@ -183,8 +175,9 @@ void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::
   for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
     out.frequency[f] = transfer.omega[f] - transfer.wave_number[f] * slope;
     out.squared[f] = static_cast<float>(out.frequency[f] * out.frequency[f]);
+    out.magnitude[f] = static_cast<float>(std::fabs(out.frequency[f]));
     const bool is_low = std::fabs(out.frequency[f]) < transfer.encounter_floor[f];
-    out.is_low[f] = is_low ? 1.0 : 0.0;
+    out.is_low[f] = is_low ? 1.0F : 0.0F;
     if (is_low) {
       const LaneRange here = lanes_that_hold(f, f);
       out.low = {out.low.is_empty() ? here.first : out.low.first, here.end};
@@ -224,7 +217,7 @@ void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m,
 
 // Between the frequencies, on a straight line.
 void list_longitudinal(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                       const PointValues& place, LongitudinalMotions& out) {
+                       const std::array<double, kMaxPeakPoints>& place, LongitudinalMotions& out) {
   const MotionRow& row = transfer.row[speed][solved_m];
   const RollPeak& peak = transfer.peak[speed][solved_m];
   for (const PeakInterval& interval : peak.intervals) {
@@ -246,16 +239,23 @@ void longitudinal_part(const MetWaves& met, const Channel& channel, const WaveTh
   const std::size_t n = whole_lanes(met.transfer.num_frequencies);
   const std::size_t num_points = feels_roll(channel) ? whole_lanes(met.peak().num_points) : 0;
   QS_CHECK(num_points == 0 || channel.form.wave == 0.0);
-  start(channel.form.wave > 0.0 ? &wave : nullptr, num_points > 0, out);
+  Step step = Step::kPut;
+  if (channel.form.wave > 0.0) {
+    put_wave(wave, out);
+    step = Step::kAdd;
+  } else if (!moves_lengthwise(channel)) {
+    put_nothing(out);
+  }
   for (std::size_t i = 0; i < kLongitudinalModes.size(); ++i) {
     const std::size_t mode = kLongitudinalModes[i];
-    if (is_absent(channel.form, mode)) {
+    if (!channel.form.has(mode)) {
       continue;
     }
     const Coefficient c = coefficient_of(channel.form, mode);
-    add_motion(c, encounters.squared, met.row().re[mode], met.row().im[mode], n, out.re, out.im);
-    add_motion(c, encounters.squared_at_points, met.longitudinal.re[i], met.longitudinal.im[i], num_points,
-               out.point_re, out.point_im);
+    compose(step, c, encounters.squared, met.row().re[mode], met.row().im[mode], n, out.re, out.im);
+    compose(step, c, encounters.squared_at_points, met.longitudinal.re[i], met.longitudinal.im[i], num_points,
+            out.point_re, out.point_im);
+    step = Step::kAdd;
   }
 }
 
@@ -265,17 +265,21 @@ void lateral_part(const MetWaves& met, const Channel& channel, const LateralMoti
   const RollPeak& peak = met.peak();
   const std::size_t n = whole_lanes(met.transfer.num_frequencies);
   const std::size_t num_points = whole_lanes(peak.num_points);
-  start(nullptr, num_points > 0, out);
+  if (!feels_roll(channel)) {
+    put_nothing(out);
+  }
+  Step step = Step::kPut;
   for (std::size_t i = 0; i < kPeakModes.size(); ++i) {
     const std::size_t mode = kPeakModes[i];
-    if (is_absent(channel.form, mode)) {
+    if (!channel.form.has(mode)) {
       continue;
     }
     const Coefficient c = coefficient_of(channel.form, mode);
-    add_motion(c, encounters.squared, damped != nullptr ? damped->re[i] : met.row().re[mode],
-               damped != nullptr ? damped->im[i] : met.row().im[mode], n, out.re, out.im);
-    add_motion(c, encounters.squared_at_points, damped != nullptr ? damped->point_re[i] : peak.re[i],
-               damped != nullptr ? damped->point_im[i] : peak.im[i], num_points, out.point_re, out.point_im);
+    compose(step, c, encounters.squared, damped != nullptr ? damped->re[i] : met.row().re[mode],
+            damped != nullptr ? damped->im[i] : met.row().im[mode], n, out.re, out.im);
+    compose(step, c, encounters.squared_at_points, damped != nullptr ? damped->point_re[i] : peak.re[i],
+            damped != nullptr ? damped->point_im[i] : peak.im[i], num_points, out.point_re, out.point_im);
+    step = Step::kAdd;
   }
 }
 

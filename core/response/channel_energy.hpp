@@ -7,8 +7,7 @@
 // sides see the same incident wave.
 // At the points of the peak, surge, heave and pitch lie on a straight line between the frequencies: they do
 // not resound there.
-// Composed and squared in single precision, in which the motions are kept (6e-8 of the largest motion in the
-// form); what is integrated is double.
+// In single precision, in which the motions are kept: 6e-8 of the largest motion in the form.
 // Cost: (motions in the form) x 6 + 3 flops a frequency, for both sides 7 more.
 #pragma once
 
@@ -31,24 +30,32 @@ std::size_t solved_direction(std::size_t m);
 bool is_mirrored(std::size_t m);
 
 /// Moved by sway, roll or yaw, so by the roll peak; for the others the frequencies are enough.
-bool feels_roll(const Channel& channel);
+constexpr bool feels_roll(const Channel& channel) {
+  return channel.form.has(1) || channel.form.has(3) || channel.form.has(5);
+}
+
+/// Moved by surge, heave or pitch.
+constexpr bool moves_lengthwise(const Channel& channel) {
+  return channel.form.has(0) || channel.form.has(2) || channel.form.has(4);
+}
 
 /// |H|^2 the same from both sides of the ship: sway, roll and yaw move it, or the rest, not both.
-bool is_symmetric(const Channel& channel);
+constexpr bool is_symmetric(const Channel& channel) {
+  return !feels_roll(channel) || !(moves_lengthwise(channel) || channel.form.wave != 0.0);
+}
 
-using NodeValues = std::array<double, kMaxFrequencies>;
-using PointValues = std::array<double, kMaxPeakPoints>;
-using NodeParts = std::array<float, kMaxFrequencies>;
-using PointParts = std::array<float, kMaxPeakPoints>;
+using NodeValues = std::array<float, kMaxFrequencies>;
+using PointValues = std::array<float, kMaxPeakPoints>;
 
 /// How the waves of one direction are met, by frequency.
 struct Encounters {
-  NodeValues frequency{};          // omega_e, signed [rad/s]
-  PointValues at_points{};         // at the points of the roll peak
-  NodeParts squared{};             // omega_e^2
-  PointParts squared_at_points{};  // the same
-  LaneRange low{};                 // holds every frequency whose wave is met below the floor
-  NodeValues is_low{};             // 1 below the floor, else 0
+  std::array<double, kMaxFrequencies> frequency{};  // omega_e, signed [rad/s]
+  std::array<double, kMaxPeakPoints> at_points{};   // at the points of the roll peak
+  NodeValues squared{};                             // omega_e^2
+  NodeValues magnitude{};                           // |omega_e|
+  PointValues squared_at_points{};                  // the same
+  LaneRange low{};                                  // holds every frequency whose wave is met below the floor
+  NodeValues is_low{};                              // 1 below the floor, else 0
 };
 void list_encounters(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
                      Encounters& out);
@@ -71,8 +78,8 @@ void list_slow_waves(const TransferFunctions& transfer, const Encounters& encoun
 
 /// The incident wave at a position on the centre line, by frequency, times e^{i omega_e t}.
 struct alignas(kCacheLine) IncidentWave {
-  NodeParts re{};
-  NodeParts im{};
+  NodeValues re{};
+  NodeValues im{};
 };
 void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
                         IncidentWave& out);
@@ -87,19 +94,19 @@ struct alignas(kCacheLine) LateralMotions {
 
 /// Surge, heave and pitch at the points of the roll peak; `place`: of each in its interval, 0 ... 1.
 struct alignas(kCacheLine) LongitudinalMotions {
-  std::array<PointParts, 3> re{};
-  std::array<PointParts, 3> im{};
+  std::array<PointValues, 3> re{};
+  std::array<PointValues, 3> im{};
 };
 void list_longitudinal(const TransferFunctions& transfer, std::size_t speed, std::size_t solved_m,
-                       const PointValues& place, LongitudinalMotions& out);
+                       const std::array<double, kMaxPeakPoints>& place, LongitudinalMotions& out);
 
 /// What some of the motions make of a channel: at the wave frequencies and, where the channel feels roll, at
 /// the points of its peak.
 struct alignas(kCacheLine) ChannelPart {
-  NodeParts re{};
-  NodeParts im{};
-  PointParts point_re{};
-  PointParts point_im{};
+  NodeValues re{};
+  NodeValues im{};
+  PointValues point_re{};
+  PointValues point_im{};
 };
 
 /// Of one speed and solved direction.

@@ -17,24 +17,17 @@ struct Answers {
   using Values = std::array<float, N>;
   Values met;   // |omega_e| as the equations saw it; 0 where damping does not matter
   Values side;  // -1 where omega_e is negative: equations, and so their roots, are conjugates there
-  Values impedance_re;
-  Values impedance_im;
-  Values sway_re;
-  Values sway_im;
-  Values yaw_re;
-  Values yaw_im;
+  std::array<Values, kNumRollAnswers> answer;
 
   void set(const RollUpdateTable& table, std::size_t i, double omega_e, double floor) {
     const double met_here = std::max(std::fabs(omega_e), floor);
-    const RollChange change = roll_change(table, met_here);
-    met[i] = change.is_negligible ? 0.0F : static_cast<float>(met_here);
+    const bool matters = is_tabulated(table, met_here);
+    const RollAnswers here = matters ? roll_answers(table, met_here) : RollAnswers{};
+    met[i] = matters ? static_cast<float>(met_here) : 0.0F;
     side[i] = omega_e < 0.0 ? -1.0F : 1.0F;
-    impedance_re[i] = static_cast<float>(change.impedance.real());
-    impedance_im[i] = static_cast<float>(change.impedance.imag());
-    sway_re[i] = static_cast<float>(change.sway_per_roll.real());
-    sway_im[i] = static_cast<float>(change.sway_per_roll.imag());
-    yaw_re[i] = static_cast<float>(change.yaw_per_roll.real());
-    yaw_im[i] = static_cast<float>(change.yaw_per_roll.imag());
+    for (std::size_t a = 0; a < kNumRollAnswers; ++a) {
+      answer[a][i] = here[a];
+    }
   }
 };
 
@@ -45,32 +38,32 @@ using Lateral = std::array<std::array<float, N>, 3>;
 // One addition: roll + less, less = -roll z / (D + z), z = more stiffness + i r, r = omega_e more damping;
 // sway and yaw follow it. No branches: the compiler makes vectors of it.
 template <std::size_t N>
-void damp(const Answers<N>& answer, std::size_t n, const RollAddition& more,
+void damp(const Answers<N>& at, std::size_t n, const RollAddition& more,
           const std::array<std::span<const float, N>, 3>& re,
           const std::array<std::span<const float, N>, 3>& im, Lateral<N>& out_re, Lateral<N>& out_im) {
   const auto added = static_cast<float>(more.damping);
   const auto stiffer = static_cast<float>(more.stiffness);
   for (std::size_t i = 0; i < n; ++i) {
-    const float r = answer.met[i] * added;
-    const float s = answer.met[i] > 0.0F ? stiffer : 0.0F;
-    const float a = answer.impedance_re[i] + s;
-    const float b = answer.impedance_im[i] + r;
+    const float r = at.met[i] * added;
+    const float s = at.met[i] > 0.0F ? stiffer : 0.0F;
+    const float a = at.answer[kImpedanceRe][i] + s;
+    const float b = at.answer[kImpedanceIm][i] + r;
     const float factor = -1.0F / std::max(a * a + b * b, std::numeric_limits<float>::min());
     const float p = factor * (s * a + r * b);
     const float q = factor * (r * a - s * b);
-    const float roll_im = answer.side[i] * im[1][i];
+    const float roll_im = at.side[i] * im[1][i];
     const float less_re = re[1][i] * p - roll_im * q;
     const float less_im = re[1][i] * q + roll_im * p;
-    const float s_re = answer.sway_re[i];
-    const float s_im = answer.sway_im[i];
-    const float y_re = answer.yaw_re[i];
-    const float y_im = answer.yaw_im[i];
+    const float s_re = at.answer[kSwayRe][i];
+    const float s_im = at.answer[kSwayIm][i];
+    const float y_re = at.answer[kYawRe][i];
+    const float y_im = at.answer[kYawIm][i];
     out_re[0][i] = re[0][i] + s_re * less_re - s_im * less_im;
-    out_im[0][i] = im[0][i] + answer.side[i] * (s_re * less_im + s_im * less_re);
+    out_im[0][i] = im[0][i] + at.side[i] * (s_re * less_im + s_im * less_re);
     out_re[1][i] = re[1][i] + less_re;
-    out_im[1][i] = im[1][i] + answer.side[i] * less_im;
+    out_im[1][i] = im[1][i] + at.side[i] * less_im;
     out_re[2][i] = re[2][i] + y_re * less_re - y_im * less_im;
-    out_im[2][i] = im[2][i] + answer.side[i] * (y_re * less_im + y_im * less_re);
+    out_im[2][i] = im[2][i] + at.side[i] * (y_re * less_im + y_im * less_re);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "core/response/band_weights.hpp"
 #include "core/response/channel_energy.hpp"
@@ -15,17 +16,31 @@ namespace quickstrip {
 /// encounter-frequency floor.
 enum class Moment : std::uint8_t { kZeroth, kFirst, kSecond, kFourth, kLowEncounter };
 
-/// `damped`: sway, roll and yaw at another roll damping; may be null. |H|^2 at frequencies and, where the
-/// channel feels roll, at the points of the peak; `is_from_port`: of waves from that side.
-void list_values(const MetWaves& met, bool is_from_port, const Channel& channel, const LateralMotions* damped,
-                 const IncidentWave& wave, ChannelValues& out);
+/// What a channel is composed in; one for many channels, for setting it to nothing each time would take as
+/// long.
+struct ChannelRoom {
+  ChannelPart longitudinal;
+  ChannelPart lateral;
+  ChannelValues even;  // |H|^2: what its two sides have in common
+  ChannelValues odd;   // and apart; of a channel that is symmetric, and at the ends, nothing
+  ChannelValues weighed;
+};
 
-/// What is to be integrated, kLowEncounter apart: `values` or, after another moment, `room`.
-const ChannelValues& weigh(const MetWaves& met, Moment moment, const ChannelValues& values,
-                           ChannelValues& room);
+/// Whether `odd` is anything: waves from right ahead or astern have one side.
+bool has_sides(const MetWaves& met, const Channel& channel);
 
-/// Integral over a band of a response as weigh() or, of kLowEncounter, list_values() leaves it.
-double integrate(const MetWaves& met, Moment moment, const EnergyNodes& band, const BandWeights& weights,
-                 const ChannelValues& values);
+/// The part of a channel that roll damping does not touch.
+void begin_channel(const MetWaves& met, const Channel& channel, const WaveThere& wave, ChannelRoom& room);
+
+/// Into `even` and, where it has sides, `odd`: at frequencies and, where the channel feels roll, at the
+/// points of the peak. After begin_channel(), once for each roll damping. `damped`: sway, roll and yaw at
+/// another damping than the transfer functions'; may be null.
+void list_values(const MetWaves& met, const Channel& channel, const LateralMotions* damped,
+                 ChannelRoom& room);
+
+/// out[b]: integral over bands[b] of a moment of |H|^2, as list_values() left it in `even` or `odd` of
+/// `room`.
+void integrate_moment(const MetWaves& met, Moment moment, std::span<const BandWeights> bands,
+                      const ChannelValues& values, ChannelRoom& room, std::span<double> out);
 
 }  // namespace quickstrip

@@ -43,6 +43,30 @@ void drop_rounding(ByHeading& values) {
   }
 }
 
+// add_product() of a system that is one band, as every parametric one is.
+void add_band_product(const SystemEnergy& part, const SweepColumns& columns, const ColumnPlace& from,
+                      std::size_t to, HeadingColumns& out) {
+  const auto block_of = [&](std::size_t first, std::size_t column) -> const ColumnBlock& {
+    return columns.block[first + column / kTransformBlock];
+  };
+  const std::size_t even_column = from.even + part.first;
+  const std::size_t odd_column = from.odd + part.first;
+  const ColumnBlock& even = block_of(0, even_column);
+  const ColumnBlock& odd = from.has_sides ? block_of(columns.first_odd(), odd_column) : even;
+  const double side = from.has_sides ? 1.0 : 0.0;
+  ColumnBlock& cosine = out.cosine[to / kTransformBlock];
+  ColumnBlock& sine = out.sine[to / kTransformBlock];
+  const std::size_t lane = to % kTransformBlock;
+  for (std::size_t k = 0; k <= kHalf; ++k) {
+    const double re = part.cosine[k][part.first];
+    const double im = part.sine[k][part.first];
+    const double c = even[k][even_column % kTransformBlock];
+    const double s = side * odd[k][odd_column % kTransformBlock];
+    cosine[k][lane] += c * re - s * im;
+    sine[k][lane] += c * im + s * re;
+  }
+}
+
 }  // namespace
 
 void transform_columns(SweepColumns& columns) {
@@ -57,6 +81,10 @@ void transform_columns(SweepColumns& columns) {
 // (C - i S) of the response times (c - i s) of the factors.
 void add_product(const SystemEnergy& part, const SweepColumns& columns, const ColumnPlace& from,
                  std::size_t to, HeadingColumns& out) {
+  if (part.count == 1) {
+    add_band_product(part, columns, from, to, out);
+    return;
+  }
   const std::size_t block = to / kTransformBlock;
   const std::size_t lane = to % kTransformBlock;
   BandRow even;

@@ -24,39 +24,29 @@ struct ColumnRow {
   }
 };
 
-/// What one channel is composed in; once for all, for setting it to nothing each time would take as long.
-struct Room {
-  ChannelPart longitudinal;
-  ChannelPart lateral;
-  ChannelValues even;
-  ChannelValues odd;
-  ChannelValues weighed;
-  IncidentWave no_wave;
-};
-
 /// One direction, ready for every channel.
 struct Towards {
   const SpeedSweep& sweep;
   const MetWaves& met;
   const DirectionWork& work;
-  Room& room;
+  const IncidentWave& no_wave;
+  ChannelRoom& room;
   ColumnRow even;
   ColumnRow odd;
-
-  // Waves from right ahead or astern have one side.
-  [[nodiscard]] bool has_sides() const { return met.solved_m > 0 && met.solved_m < kHalf; }
 };
 
 /// Into the columns of one level.
 void integrate_level(const Towards& to, const SweepSubject& subject, std::size_t level,
                      const ChannelValues& values, const ColumnRow& row, std::size_t first) {
-  const SeaEnergy& sea = to.sweep.sea;
+  const std::size_t num_bands = to.sweep.sea.num_bands;
+  const auto bands = std::span(to.work.weights).first(num_bands);
+  std::array<double, kMaxEnergyBands> integral;
   for (std::size_t i = 0; i < subject.moments.size(); ++i) {
-    const Moment moment = subject.moments[i];
-    const std::size_t column = first + subject.offset(level, i, sea.num_bands);
-    const ChannelValues& weighed = weigh(to.met, moment, values, to.room.weighed);
-    for (std::size_t b = 0; b < sea.num_bands; ++b) {
-      row[column + b] = integrate(to.met, moment, sea.band[b], to.work.weights[b], weighed);
+    integrate_moment(to.met, subject.moments[i], bands, values, to.room,
+                     std::span(integral).first(num_bands));
+    const std::size_t column = first + subject.offset(level, i, num_bands);
+    for (std::size_t b = 0; b < num_bands; ++b) {
+      row[column + b] = integral[b];
     }
   }
 }
@@ -76,57 +66,24 @@ const LateralMotions* damped_at(const Towards& to, const SweepSubject& subject, 
 
 WaveThere wave_there(const Towards& to, const SweepSubject& subject) {
   if (subject.waves == nullptr) {
-    return {to.room.no_wave};
+    return {to.no_wave};
   }
   const std::size_t m = to.met.solved_m;
   const bool is_ahead = m > kHalf / 2;
   return {subject.waves[is_ahead ? kHalf - m : m], is_ahead};
 }
 
-// Waves from right ahead move a ship sideways by rounding only, and squares of that are subnormal numbers,
-// which take a processor a hundred times as long.
-void drop_rounding(ChannelPart& part) {
-  constexpr float kLeast = 1e-14F;  // m or rad a metre, or these times rad2/s2
-  const auto drop = [](auto& values) {
-    for (float& value : values) {
-      value = std::fabs(value) < kLeast ? 0.0F : value;
-    }
-  };
-  drop(part.re);
-  drop(part.im);
-  drop(part.point_re);
-  drop(part.point_im);
-}
-
 void integrate_channel(const Towards& to, const SweepSubject& subject) {
   const Channel& channel = *subject.channel;
-  const bool rolls = feels_roll(channel);
-  const bool has_sides = subject.has_sides();
-  ChannelPart& longitudinal = to.room.longitudinal;
-  ChannelPart& lateral = to.room.lateral;
-  ChannelValues& even = to.room.even;
-  ChannelValues& odd = to.room.odd;
-  if (has_sides || !rolls) {
-    longitudinal_part(to.met, channel, wave_there(to, subject), longitudinal);
-  }
+  begin_channel(to.met, channel, wave_there(to, subject), to.room);
   for (std::size_t level = 0; level < subject.num_levels; ++level) {
-    if (rolls) {
-      lateral_part(to.met, channel, damped_at(to, subject, level), lateral);
+    list_values(to.met, channel, damped_at(to, subject, level), to.room);
+    integrate_level(to, subject, level, to.room.even, to.even, subject.first_even);
+    if (has_sides(to.met, channel)) {
+      integrate_level(to, subject, level, to.room.odd, to.odd, subject.first_odd);
+    } else if (subject.has_sides()) {
+      clear_level(to, subject, level);
     }
-    if (rolls && !to.has_sides()) {
-      drop_rounding(lateral);
-    }
-    if (!has_sides) {
-      list_square(to.met, channel, rolls ? lateral : longitudinal, even);
-    } else {
-      list_even_odd(to.met, channel, longitudinal, lateral, even, odd);
-      if (to.has_sides()) {
-        integrate_level(to, subject, level, odd, to.odd, subject.first_odd);
-      } else {
-        clear_level(to, subject, level);
-      }
-    }
-    integrate_level(to, subject, level, even, to.even, subject.first_even);
   }
 }
 
@@ -181,11 +138,12 @@ std::size_t take_columns(std::size_t num_bands, std::size_t first, SweepSubjects
 
 void list_integrals(const SpeedSweep& sweep, std::span<const SweepSubject> subjects, DirectionWork& work,
                     SweepColumns& columns) {
-  Room room;
+  ChannelRoom room;
+  const IncidentWave no_wave;
   for (std::size_t m = 0; m <= kHalf; ++m) {
     look_towards(sweep, m, work);
     const MetWaves met{sweep.transfer, sweep.speed, m, work.encounters, work.longitudinal};
-    const Towards to{sweep, met, work, room, {columns, 0, m}, {columns, columns.first_odd(), m}};
+    const Towards to{sweep, met, work, no_wave, room, {columns, 0, m}, {columns, columns.first_odd(), m}};
     for (const SweepSubject& subject : subjects) {
       if (subject.channel == nullptr) {
         integrate_slow_waves(to, subject);

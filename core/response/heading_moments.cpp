@@ -190,12 +190,11 @@ void read_subject(const Sweep& sweep, const SweepSubject& subject, SweepWorkspac
 
 }  // namespace
 
-void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const Needs& needs,
-                   SweepWorkspace& work) {
+void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, SweepWorkspace& work) {
   std::size_t num_waves = 0;
   for (std::size_t c = 0; c < watch.channels.size(); ++c) {
     work.wave_of[c] = 0;
-    if (needs[c] == Need::kNone || !(watch.channels[c].form.wave > 0.0)) {
+    if (!(watch.channels[c].form.wave > 0.0)) {
       continue;
     }
     QS_CHECK(num_waves < work.wave.size());

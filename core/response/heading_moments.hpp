@@ -55,7 +55,7 @@ struct HeadingMoments {
   ByHeading slow_wave_energy{};  // of the waves that list_slow_waves() marks [m2]
 };
 
-/// Scratch; what does not depend on speed is filled by prepare().
+/// Scratch, but for what prepare_sweep() leaves.
 struct SweepWorkspace {
   // By channel of relative motion and direction of 0 ... 90 degrees: on the centre line the wave of the
   // supplementary angle is the complex conjugate.
@@ -72,9 +72,8 @@ struct SweepWorkspace {
   std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
 };
 
-/// Once a cycle.
-void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, const Needs& needs,
-                   SweepWorkspace& work);
+/// Incident waves of every relative motion: once a loading.
+void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, SweepWorkspace& work);
 
 struct SweepOptions {
   bool counts_slow_waves = true;  // slow_wave_energy too
@@ -82,7 +81,8 @@ struct SweepOptions {
   RollShift shift{};              // needs kEnsembleMembers > 0, unless it is none
 };
 
-/// Fills what is needed; the rest keeps what it was.
+/// Fills what is needed; the rest keeps what it was. `work` is prepared for these transfer functions and this
+/// watch.
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
                           const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,
                           SweepWorkspace& work, HeadingMoments& out);

@@ -4,6 +4,7 @@
 
 #include "core/response/band_weights.hpp"
 #include "core/response/heading_convolution.hpp"
+#include "core/response/met_energy.hpp"
 #include "core/response/moments.hpp"
 
 namespace quickstrip {
@@ -16,38 +17,27 @@ constexpr std::size_t kStrip = 0;
 constexpr std::size_t kEmpirical = 1;
 static_assert(kSweepBlocks * kTransformBlock >= 2 * kBandWidth && kMaxHeadingColumns > kEmpirical);
 
-void to_nodes(const TransferFunctions& transfer, const ResistanceRow& row, NodeValues& out) {
-  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-    out[f] = static_cast<double>(row[f]);
-  }
-}
-
 /// Columns of one method, after those of the methods before it.
-void integrate(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
-               std::size_t method, SweepColumns& out) {
-  NodeValues nodes{};
+void integrate(const ResistanceRows& rows, const SeaEnergy& sea, std::size_t method, SweepColumns& out) {
   for (std::size_t m = 0; m <= kHalf; ++m) {
-    to_nodes(transfer, rows[m], nodes);
     for (std::size_t b = 0; b < sea.num_bands; ++b) {
       const std::size_t column = method * sea.num_bands + b;
-      out.block[column / kTransformBlock][m][column % kTransformBlock] = integrate(sea.band[b], nodes);
+      out.block[column / kTransformBlock][m][column % kTransformBlock] = integrate(sea.band[b], rows[m]);
     }
   }
 }
 
-double mean_at(const TransferFunctions& transfer, const ResistanceRows& rows, const SeaEnergy& sea,
-               const HeadingBracket& heading) {
-  NodeValues nodes{};
+double mean_at(const ResistanceRows& rows, const SeaEnergy& sea, const HeadingBracket& heading) {
   double sum = 0.0;
   for (std::size_t m = 0; m < kNumDirections; ++m) {
     const std::size_t d0 = wave_direction(heading.below, m);
     const std::size_t d1 = wave_direction(heading.above, m);
-    to_nodes(transfer, rows[solved_direction(m)], nodes);
+    const ResistanceRow& row = rows[solved_direction(m)];
     for (std::size_t s = 0; s < sea.num_systems; ++s) {
       const SystemEnergy& part = sea.part[s];
       for (std::size_t b = part.first; b < part.first + part.count; ++b) {
         const double factor = (1.0 - heading.part) * part.factor[b][d0] + heading.part * part.factor[b][d1];
-        sum += factor != 0.0 ? factor * integrate(sea.band[b], nodes) : 0.0;
+        sum += factor != 0.0 ? factor * integrate(sea.band[b], row) : 0.0;
       }
     }
   }
@@ -60,9 +50,9 @@ void list_mean_added_resistance(const TransferFunctions& transfer, std::size_t s
                                 SweepWorkspace& work, HeadingResistance& out) {
   out.has_empirical = transfer.has_empirical_resistance[speed];
   const std::size_t count = out.has_empirical ? 2 : 1;
-  integrate(transfer, transfer.added_resistance[speed], sea, kStrip, work.columns);
+  integrate(transfer.added_resistance[speed], sea, kStrip, work.columns);
   if (out.has_empirical) {
-    integrate(transfer, transfer.empirical_resistance[speed], sea, kEmpirical, work.columns);
+    integrate(transfer.empirical_resistance[speed], sea, kEmpirical, work.columns);
   }
   work.columns.num_even = blocks_of(count * sea.num_bands);
   work.columns.num_odd = 0;
@@ -96,11 +86,11 @@ Result<MeanResistance> mean_added_resistance(const TransferFunctions& transfer, 
     if (!(weight > 0.0)) {
       return;
     }
-    out.strip += weight * mean_at(transfer, transfer.added_resistance[v], sea, headings);
+    out.strip += weight * mean_at(transfer.added_resistance[v], sea, headings);
     if (!transfer.has_empirical_resistance[v]) {
       out.empirical.reset();
     } else if (out.empirical) {
-      *out.empirical += weight * mean_at(transfer, transfer.empirical_resistance[v], sea, headings);
+      *out.empirical += weight * mean_at(transfer.empirical_resistance[v], sea, headings);
     }
   };
   add(speeds->lower, 1.0 - speeds->part);

@@ -2,58 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/check.hpp"
 #include "core/response/damped_motions.hpp"
 #include "core/response/direction_response.hpp"
+#include "core/response/met_energy.hpp"
 #include "core/response/roll_linearisation.hpp"
 
 namespace quickstrip {
 namespace {
 
-constexpr std::size_t kHalfCircle = kNumDirections / 2;
-
-/// What the waves of one relative direction bring, by system: its bands together, each with what the system
-/// takes of it, between two compass directions.
-using RelativeEnergy = std::array<EnergyNodes, kMaxWaveSystems>;
-
-void add_band(const EnergyBand& band, double factor, EnergyBand& out) {
-  for (std::size_t f = band.first; f <= band.last; ++f) {
-    out.node[f] += factor * band.node[f];
-  }
-  for (std::size_t f = band.first; f < band.last; ++f) {
-    for (std::size_t l = 0; l < kDensityTerms; ++l) {
-      out.density[f][l] += factor * band.density[f][l];
-    }
-  }
-  out.first = std::min(out.first, band.first);
-  out.last = std::max(out.last, band.last);
-}
-
-/// Calls visit(s, band) for each system with its bands together; false when no wave comes from there.
-template <typename Visit>
-bool for_each_system(const SeaEnergy& sea, Heading heading, std::size_t m, const Visit& visit) {
-  const HeadingBracket bracket = bracket_heading(heading);
-  const double part = bracket.part;
-  const std::size_t d0 = wave_direction(bracket.below, m);
-  const std::size_t d1 = wave_direction(bracket.above, m);
-  bool is_empty = true;
-  for (std::size_t s = 0; s < sea.num_systems; ++s) {
-    const SystemEnergy& system = sea.part[s];
-    EnergyBand sum;
-    sum.first = kMaxFrequencies - 1;
-    for (std::size_t b = system.first; b < system.first + system.count; ++b) {
-      const double factor = (1.0 - part) * system.factor[b][d0] + part * system.factor[b][d1];
-      if (factor != 0.0) {
-        add_band(sea.band[b], factor, sum);
-        is_empty = false;
-      }
-    }
-    sum.first = std::min(sum.first, sum.last);
-    visit(s, sum);
-  }
-  return !is_empty;
-}
+constexpr std::size_t kHalf = kNumDirections / 2;
 
 /// One speed on one course, in one sea.
 struct Course {
@@ -61,21 +21,21 @@ struct Course {
   std::size_t speed;
   const Watch& watch;
   const SeaEnergy& sea;
-  Heading heading;
+  HeadingBracket heading;
   bool is_stabilised;
 
   [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
 };
 
-/// One relative direction, and lateral motions at other dampings there.
+/// What the sums of a solved direction and its mirror image rest on.
 struct Direction {
-  LongitudinalMotions longitudinal;
-  std::array<LateralMotions, kRollDampingLevels - 1> damped;
-  std::array<BandWeights, kMaxWaveSystems> weights;  // by system
   Encounters encounters;
+  LongitudinalMotions longitudinal;
   PeakShapes shapes;
-  RelativeEnergy energy;
-  std::size_t m = 0;
+  std::array<LateralMotions, kRollDampingLevels - 1> damped;
+  // By system; what both sides bring, and their difference (met_energy.hpp).
+  std::array<BandWeights, kMaxWaveSystems> even;
+  std::array<BandWeights, kMaxWaveSystems> odd;
 
   [[nodiscard]] const LateralMotions* at_level(std::size_t level) const {
     return level > 0 ? &damped[level - 1] : nullptr;
@@ -84,82 +44,118 @@ struct Direction {
 
 /// False: no wave comes from there.
 bool look_towards(const Course& course, std::size_t m, Direction& out) {
-  const std::size_t solved_m = solved_direction(m);
-  const RollPeak& peak = course.transfer.peak[course.speed][solved_m];
-  out.m = m;
-  list_peak_shapes(peak, std::span(course.transfer.omega).first(course.transfer.num_frequencies), out.shapes);
-  const bool has_waves =
-      for_each_system(course.sea, course.heading, m, [&](std::size_t s, const EnergyBand& band) {
-        out.energy[s] = static_cast<const EnergyNodes&>(band);
-        list_band_weights(band, peak, out.shapes, out.weights[s]);
-      });
+  const TransferFunctions& transfer = course.transfer;
+  const RollPeak& peak = transfer.peak[course.speed][m];
+  list_peak_shapes(peak, std::span(transfer.omega).first(transfer.num_frequencies), out.shapes);
+  bool has_waves = false;
+  MetEnergy energy;
+  for (std::size_t s = 0; s < course.sea.num_systems; ++s) {
+    has_waves = meet_energy(course.sea, s, course.heading, m, energy) || has_waves;
+    list_band_weights(energy.even, peak, out.shapes, out.even[s]);
+    list_band_weights(energy.odd, peak, out.shapes, out.odd[s]);
+  }
   if (!has_waves) {
     return false;
   }
-  list_encounters(course.transfer, course.speed, solved_m, out.encounters);
-  list_longitudinal(course.transfer, course.speed, solved_m, out.shapes.place, out.longitudinal);
+  list_encounters(transfer, course.speed, m, out.encounters);
+  list_longitudinal(transfer, course.speed, m, out.shapes.place, out.longitudinal);
   if (course.levels().count > 1) {
     const RollDampingLevels& levels = course.levels();
     std::array<RollAddition, kRollDampingLevels - 1> addition{};
     for (std::size_t l = 1; l < kRollDampingLevels; ++l) {
       addition[l - 1].damping = levels.added[l] - levels.added[0];
     }
-    damp_motions(course.transfer, course.speed, solved_m, out.encounters, addition, out.damped);
+    damp_motions(transfer, course.speed, m, out.encounters, addition, out.damped);
   }
   return true;
 }
 
-/// `weight` times the moments of one channel at one level of roll damping.
-void add_channel(const Course& course, const Direction& direction, std::size_t c, std::size_t level,
-                 double weight, ResponseMoments& out) {
+/// One channel as it stands in `room`.
+struct Seen {
+  const MetWaves& met;
+  const Direction& direction;
+  std::size_t num_systems;
+  bool has_sides;
+  ChannelRoom& room;
+};
+
+/// A moment by system.
+using BySystem = std::array<double, kMaxWaveSystems>;
+
+BySystem integrate_moment(const Seen& seen, Moment moment) {
+  BySystem out{};
+  const auto add = [&](const ChannelValues& values, const std::array<BandWeights, kMaxWaveSystems>& weights) {
+    BySystem more;
+    integrate_moment(seen.met, moment, std::span(weights).first(seen.num_systems), values, seen.room,
+                     std::span(more).first(seen.num_systems));
+    for (std::size_t s = 0; s < seen.num_systems; ++s) {
+      out[s] += more[s];
+    }
+  };
+  add(seen.room.even, seen.direction.even);
+  if (seen.has_sides) {
+    add(seen.room.odd, seen.direction.odd);
+  }
+  return out;
+}
+
+double integrate_all(const Seen& seen, Moment moment) {
+  const BySystem parts = integrate_moment(seen, moment);
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
+}
+
+/// `weight` times what is seen.
+void add_moments(const Seen& seen, double weight, ResponseMoments& out) {
+  const BySystem zeroth = integrate_moment(seen, Moment::kZeroth);
+  for (std::size_t s = 0; s < seen.num_systems; ++s) {
+    out.m0_by_system[s] += weight * zeroth[s];
+    out.m0 += weight * zeroth[s];
+  }
+  out.m1 += weight * integrate_all(seen, Moment::kFirst);
+  out.m2 += weight * integrate_all(seen, Moment::kSecond);
+  if (out.m4 != kNoMoment) {
+    out.m4 += weight * integrate_all(seen, Moment::kFourth);
+  }
+  if (!seen.direction.encounters.low.is_empty()) {
+    out.m0_low_encounter += weight * integrate_all(seen, Moment::kLowEncounter);
+  }
+}
+
+/// Moments of one channel, out[l] at level l of roll damping with its weight.
+struct LevelMoments {
+  double weight = 0.0;
+  ResponseMoments* out = nullptr;
+};
+using Levels = std::array<LevelMoments, kRollDampingLevels>;
+
+void add_channel(const Course& course, std::size_t m, const Direction& direction, std::size_t c,
+                 std::span<const LevelMoments> levels, ChannelRoom& room) {
   const Channel& channel = course.watch.channels[c];
-  const std::size_t num_systems = course.sea.num_systems;
+  const MetWaves met{course.transfer, course.speed, m, direction.encounters, direction.longitudinal};
   IncidentWave wave;
   if (channel.form.wave > 0.0) {
-    list_incident_wave(course.transfer, solved_direction(direction.m), channel.position, wave);
+    list_incident_wave(course.transfer, m, channel.position, wave);
   }
-  const MetWaves met{course.transfer, course.speed, solved_direction(direction.m), direction.encounters,
-                     direction.longitudinal};
-  ChannelValues values;
-  ChannelValues room;
-  list_values(met, is_mirrored(direction.m), channel, direction.at_level(level), wave, values);
-  const auto of_system = [&](Moment moment, const ChannelValues& weighed, std::size_t s) {
-    return weight * integrate(met, moment, direction.energy[s], direction.weights[s], weighed);
-  };
-  const auto all = [&](Moment moment) {
-    const ChannelValues& weighed = weigh(met, moment, values, room);
-    double sum = 0.0;
-    for (std::size_t s = 0; s < num_systems; ++s) {
-      sum += of_system(moment, weighed, s);
-    }
-    return sum;
-  };
-  for (std::size_t s = 0; s < num_systems; ++s) {
-    const double part = of_system(Moment::kZeroth, values, s);
-    out.m0_by_system[s] += part;
-    out.m0 += part;
-  }
-  out.m1 += all(Moment::kFirst);
-  out.m2 += all(Moment::kSecond);
-  if (out.m4 != kNoMoment) {
-    out.m4 += all(Moment::kFourth);
-  }
-  if (!direction.encounters.low.is_empty()) {
-    out.m0_low_encounter += all(Moment::kLowEncounter);
+  begin_channel(met, channel, {wave}, room);
+  const Seen seen{met, direction, course.sea.num_systems, has_sides(met, channel), room};
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    list_values(met, channel, direction.at_level(l), room);
+    add_moments(seen, levels[l].weight, *levels[l].out);
   }
 }
 
 /// What roll of this course in this sea asks of the damping.
-LinearisedRoll linearise_course(const Course& course) {
+LinearisedRoll linearise_course(const Course& course, Direction& direction, ChannelRoom& room) {
   std::array<ResponseMoments, kRollDampingLevels> roll{};
+  Levels levels;
+  for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+    levels[l] = {1.0, &roll[l]};
+  }
   const std::size_t c = find_channel(course.watch, Quantity::kRoll, 0);
   const bool has_levels = course.levels().count > 1 && c < course.watch.channels.size();
-  Direction direction;
-  for (std::size_t m = 0; has_levels && m < kNumDirections; ++m) {
+  for (std::size_t m = 0; has_levels && m <= kHalf; ++m) {
     if (look_towards(course, m, direction)) {
-      for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
-        add_channel(course, direction, c, l, 1.0, roll[l]);
-      }
+      add_channel(course, m, direction, c, levels, room);
     }
   }
   RollVariances variances;
@@ -175,19 +171,23 @@ LinearisedRoll linearise_course(const Course& course) {
 /// All channels; `weight` of this speed among those interpolated between.
 void add_course(const Course& course, double weight, std::span<ResponseMoments> out,
                 RollDampingInUse& damping) {
-  const LinearisedRoll roll = linearise_course(course);
+  Direction direction;
+  ChannelRoom room;
+  const LinearisedRoll roll = linearise_course(course, direction, room);
   damping.added += weight * roll.damping;
   damping.residual = std::max(damping.residual, roll.residual);
-  Direction direction;
-  for (std::size_t m = 0; m < kNumDirections; ++m) {
+  for (std::size_t m = 0; m <= kHalf; ++m) {
     if (!look_towards(course, m, direction)) {
       continue;
     }
-    for (std::size_t c = 0; c < course.watch.channels.size(); ++c) {
+    for (std::size_t c = 0; c < out.size(); ++c) {
       const bool is_damped = course.levels().count > 1 && feels_roll(course.watch.channels[c]);
-      for (std::size_t l = 0; l < (is_damped ? kRollDampingLevels : 1); ++l) {
-        add_channel(course, direction, c, l, is_damped ? weight * roll.weight[l] : weight, out[c]);
+      Levels levels;
+      for (std::size_t l = 0; l < kRollDampingLevels; ++l) {
+        levels[l] = {is_damped ? weight * roll.weight[l] : weight, &out[c]};
       }
+      const auto count = is_damped ? kRollDampingLevels : std::size_t{1};
+      add_channel(course, m, direction, c, std::span(levels).first(count), room);
     }
   }
 }
@@ -202,14 +202,15 @@ struct EnergyShare {
   double all = 0.0;
 };
 
+// From both sides of the ship at once.
 EnergyShare wave_energy(const TransferFunctions& transfer, std::size_t speed, std::size_t m,
                         std::span<const EnergyNodes> systems) {
   Encounters encounters;
-  list_encounters(transfer, speed, solved_direction(m), encounters);
+  list_encounters(transfer, speed, m, encounters);
   NodeValues slow_waves{};  // the waves themselves have no peak
   NodeValues all_waves{};
   list_slow_waves(transfer, encounters, slow_waves);
-  all_waves.fill(1.0);
+  all_waves.fill(1.0F);
   EnergyShare out;
   for (const EnergyNodes& system : systems) {
     out.slow += integrate(system, slow_waves);
@@ -240,17 +241,6 @@ Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double spe
   return bracket;
 }
 
-HeadingBracket bracket_heading(Heading heading) {
-  const double turned = wrap_two_pi(heading.radians) / kTwoPi * static_cast<double>(kNumDirections);
-  const double below = std::floor(turned);
-  const std::size_t h = static_cast<std::size_t>(below) % kNumDirections;
-  return {h, (h + 1) % kNumDirections, turned - below};
-}
-
-std::size_t wave_direction(std::size_t h, std::size_t m) {
-  return (h + kHalfCircle + kNumDirections - m) % kNumDirections;
-}
-
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
                                           std::span<ResponseMoments> out, const ChannelSet* with_fourth,
@@ -269,13 +259,15 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
     out[c] = ResponseMoments{};
     out[c].m4 = with_fourth == nullptr || (*with_fourth)[c] ? 0.0 : kNoMoment;
   }
+  const HeadingBracket directions = bracket_heading(heading);
   RollDampingInUse damping;
   if (bracket->part < 1.0) {
-    add_course({transfer, bracket->lower, watch, sea, heading, is_stabilised}, 1.0 - bracket->part, out,
+    add_course({transfer, bracket->lower, watch, sea, directions, is_stabilised}, 1.0 - bracket->part, out,
                damping);
   }
   if (bracket->part > 0.0) {
-    add_course({transfer, bracket->upper, watch, sea, heading, is_stabilised}, bracket->part, out, damping);
+    add_course({transfer, bracket->upper, watch, sea, directions, is_stabilised}, bracket->part, out,
+               damping);
   }
   // The cubic of a density may undershoot beside a sharp edge of a measured system.
   for (ResponseMoments& moments : out) {
@@ -307,11 +299,15 @@ Result<double> slow_wave_share(const TransferFunctions& transfer, const SeaEnerg
   }
   double slow = 0.0;
   double all = 0.0;
-  RelativeEnergy energy;
-  for (std::size_t m = 0; m < kNumDirections; ++m) {
-    const bool has_waves = for_each_system(sea, heading, m, [&](std::size_t s, const EnergyBand& band) {
-      energy[s] = static_cast<const EnergyNodes&>(band);
-    });
+  const HeadingBracket directions = bracket_heading(heading);
+  std::array<EnergyNodes, kMaxWaveSystems> energy;
+  MetEnergy met;
+  for (std::size_t m = 0; m <= kHalf; ++m) {
+    bool has_waves = false;
+    for (std::size_t s = 0; s < sea.num_systems; ++s) {
+      has_waves = meet_energy(sea, s, directions, m, met) || has_waves;
+      energy[s] = static_cast<const EnergyNodes&>(met.even);
+    }
     if (!has_waves) {
       continue;
     }

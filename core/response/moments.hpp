@@ -5,9 +5,10 @@
 // Between the nodes the moments are interpolated bilinearly: in heading between the directions of the wave
 // energy, in speed between the solved speeds. Channels that feel roll are summed at the points of the roll
 // peak as well (band_weights.hpp).
-// Where roll damping depends on roll, the damping of this course is found first, at each of the two speeds,
-// as the sweep does it (heading_moments.hpp).
-// Cost: 2 speeds x 72 directions x channels x frequencies x systems of the sea, whose bands are merged first.
+// Where roll damping depends on roll, moments are summed at each level of it and blended at the damping of
+// this course, at each of the two speeds, as the sweep does it (heading_moments.hpp).
+// Cost: 2 speeds x 37 directions, both sides of the ship at once, x channels x frequencies x systems of the
+// sea, whose bands are merged first (met_energy.hpp).
 #pragma once
 
 #include <array>
@@ -70,17 +71,5 @@ struct SpeedBracket {
 
 /// Errors: kSpeedOutOfGrid.
 Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double speed);
-
-/// Direction indices on either side of a heading, and how far it lies towards the upper one.
-struct HeadingBracket {
-  std::size_t below = 0;
-  std::size_t above = 0;
-  double part = 0.0;
-};
-HeadingBracket bracket_heading(Heading heading);
-
-/// The compass direction index from which waves come that travel at relative direction m when the ship heads
-/// for direction index h (2 pi h / kNumDirections): from = heading + pi - mu.
-std::size_t wave_direction(std::size_t h, std::size_t m);
 
 }  // namespace quickstrip

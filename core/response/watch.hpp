@@ -28,6 +28,10 @@ struct LinearForm {
   std::array<double, 6> displacement{};
   std::array<double, 6> acceleration{};
   double wave = 0.0;
+
+  [[nodiscard]] constexpr bool has(std::size_t mode) const {
+    return displacement[mode] != 0.0 || acceleration[mode] != 0.0;
+  }
 };
 
 struct Channel {

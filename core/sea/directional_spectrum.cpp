@@ -70,25 +70,25 @@ Status check_spectrum(const DirectionalSpectrum& spectrum) {
   return zeroth_moment(spectrum) > 0.0 ? Status{} : Status{Error::kEmptySpectrum};
 }
 
-BandWeights band_weights(std::span<const double> frequencies) {
-  BandWeights weights{};
+BandWidths band_widths(std::span<const double> frequencies) {
+  BandWidths widths{};
   for (std::size_t f = 0; f + 1 < frequencies.size(); ++f) {
     const double half = 0.5 * (frequencies[f + 1] - frequencies[f]);
-    weights[f] += half;
-    weights[f + 1] += half;
+    widths[f] += half;
+    widths[f + 1] += half;
   }
-  return weights;
+  return widths;
 }
 
 double zeroth_moment(const DirectionalSpectrum& spectrum) {
-  const BandWeights weights = band_weights(spectrum.frequencies.span());
+  const BandWidths widths = band_widths(spectrum.frequencies.span());
   double sum = 0.0;
   for (std::size_t f = 0; f < spectrum.frequencies.size(); ++f) {
     double row = 0.0;
     for (std::size_t d = 0; d < spectrum.directions.size(); ++d) {
       row += spectrum.density[f][d];
     }
-    sum += weights[f] * row;
+    sum += widths[f] * row;
   }
   return sum * kTwoPi / static_cast<double>(spectrum.directions.size());
 }

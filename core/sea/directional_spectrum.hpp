@@ -18,8 +18,8 @@ namespace quickstrip {
 Status check_spectrum(const DirectionalSpectrum& spectrum);
 
 /// Trapezoidal weights of the bands [rad/s]: the integral of each band's hat function.
-using BandWeights = std::array<double, kMaxSpectrumFrequencies>;
-BandWeights band_weights(std::span<const double> frequencies);
+using BandWidths = std::array<double, kMaxSpectrumFrequencies>;
+BandWidths band_widths(std::span<const double> frequencies);
 
 /// Variance of the sea surface [m2].
 double zeroth_moment(const DirectionalSpectrum& spectrum);

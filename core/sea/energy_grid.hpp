@@ -14,10 +14,10 @@ namespace quickstrip {
 // Less than this share of a system on the nodes is no basis for scaling: the end node takes it whole.
 inline constexpr double kLeastShare = 1e-6;
 
-// Energy [m2], density [m2 s] and share of direction that is as good as none: of waves of 1e-30 m. Numbers
-// near 1e-308, which far tails of spectra and seas of no height have, take a processor up to a hundred times
-// as long as others, and a cycle in them took eighteen times its time.
-inline constexpr double kLeastEnergy = 1e-60;
+// Energy [m2], density [m2 s] and share of direction that is as good as none: of waves of 1e-14 m. Numbers
+// near the smallest of single precision, 1e-38, which far tails of spectra and seas of no height have, take a
+// processor up to a hundred times as long as others, and a cycle in them took eighteen times its time.
+inline constexpr double kLeastEnergy = 1e-28;
 
 /// 3 ... kMaxFrequencies nodes, finite, positive, increasing. Errors: kNotFinite, kOutOfRange.
 Status check_nodes(std::span<const double> omega);

@@ -165,7 +165,7 @@ void set_range(std::size_t num_bands, SystemEnergy& part) {
 // Returns the energy on the nodes before.
 double place_system(const DirectionalSpectrum& spectrum, const DirectionMap& map,
                     std::span<const double> omega, std::size_t system, SeaEnergy& out) {
-  const BandWeights weights = band_weights(spectrum.frequencies.span());
+  const BandWidths widths = band_widths(spectrum.frequencies.span());
   const std::size_t num_bands = spectrum.frequencies.size();
   SystemEnergy& part = out.part[system];
   DirectionWeights whole{};  // over all frequencies, on the nodes or not
@@ -175,7 +175,7 @@ double place_system(const DirectionalSpectrum& spectrum, const DirectionMap& map
     const auto& node = out.band[b].node;
     const double of_band = std::accumulate(node.begin(), node.end(), 0.0);
     for (std::size_t d = 0; d < kNumDirections; ++d) {
-      whole[d] += part.factor[b][d] * weights[b];
+      whole[d] += part.factor[b][d] * widths[b];
       on_nodes += part.factor[b][d] * of_band;
     }
   }

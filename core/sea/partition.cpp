@@ -61,7 +61,7 @@ struct Candidate {
 class Division {
  public:
   Division(const DirectionalSpectrum& spectrum, PartitionWorkspace& work)
-      : spectrum_(spectrum), work_(work), weights_(band_weights(spectrum.frequencies.span())) {}
+      : spectrum_(spectrum), work_(work), widths_(band_widths(spectrum.frequencies.span())) {}
 
   void gather(std::size_t num_basins);
   void merge();
@@ -72,7 +72,7 @@ class Division {
   [[nodiscard]] std::size_t num_cells() const { return spectrum_.frequencies.size() * num_directions(); }
   [[nodiscard]] double cell_energy(std::size_t cell) const {
     const std::size_t f = cell / num_directions();
-    return spectrum_.density[f][cell % num_directions()] * weights_[f] * kTwoPi /
+    return spectrum_.density[f][cell % num_directions()] * widths_[f] * kTwoPi /
            static_cast<double>(num_directions());
   }
   [[nodiscard]] Place place(std::size_t cell) const {
@@ -88,7 +88,7 @@ class Division {
 
   const DirectionalSpectrum& spectrum_;
   PartitionWorkspace& work_;
-  BandWeights weights_;
+  BandWidths widths_;
   std::array<Candidate, kMaxCandidates> candidates_{};
   std::size_t num_candidates_ = 0;
 };

@@ -34,7 +34,7 @@ double peak_frequency(std::span<const double> omega, const Rows& rows) {
 
 void describe_systems(const DirectionalSpectrum& spectrum, WavePartition& out) {
   const auto omega = spectrum.frequencies.span();
-  const BandWeights weights = band_weights(omega);
+  const BandWidths widths = band_widths(omega);
   const double step = kTwoPi / static_cast<double>(spectrum.directions.size());
   for (std::size_t s = 0; s < out.num_systems; ++s) {
     Rows rows{};
@@ -46,7 +46,7 @@ void describe_systems(const DirectionalSpectrum& spectrum, WavePartition& out) {
         if (out.system_of[f][d] != s) {
           continue;
         }
-        const double energy = spectrum.density[f][d] * weights[f] * step;
+        const double energy = spectrum.density[f][d] * widths[f] * step;
         rows[f] += spectrum.density[f][d] * step;
         m0 += energy;
         cosine_sum += energy * std::cos(spectrum.directions[d]);

@@ -28,12 +28,13 @@ RollUpdateTable tabulate(const LoadedHull& hull, double speed, double lowest) {
     const double omega = out.first + step * static_cast<double>(n);
     const RollAdmittance answer = roll_admittance(hull, omega, speed);
     const double rigid = out.stiffness - omega * omega * out.inertia;
-    out.impedance_re[n] = static_cast<float>(answer.impedance.real() - rigid);
-    out.impedance_im[n] = static_cast<float>(answer.impedance.imag());
-    out.sway_re[n] = static_cast<float>(answer.sway_per_roll.real());
-    out.sway_im[n] = static_cast<float>(answer.sway_per_roll.imag());
-    out.yaw_re[n] = static_cast<float>(answer.yaw_per_roll.real());
-    out.yaw_im[n] = static_cast<float>(answer.yaw_per_roll.imag());
+    RollAnswers& node = out.node[n];
+    node[kImpedanceRe] = static_cast<float>(answer.impedance.real() - rigid);
+    node[kImpedanceIm] = static_cast<float>(answer.impedance.imag());
+    node[kSwayRe] = static_cast<float>(answer.sway_per_roll.real());
+    node[kSwayIm] = static_cast<float>(answer.sway_per_roll.imag());
+    node[kYawRe] = static_cast<float>(answer.yaw_per_roll.real());
+    node[kYawIm] = static_cast<float>(answer.yaw_per_roll.imag());
   }
   return out;
 }

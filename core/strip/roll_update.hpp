@@ -13,8 +13,8 @@
 
 #include <algorithm>
 #include <array>
-#include <complex>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/base/capacity.hpp"
 #include "core/strip/loaded_hull.hpp"
@@ -29,20 +29,26 @@ struct RollDampingLevels {
   double own = 0.0;         // b44 of potential theory at roll resonance, sway and yaw eliminated [N m s]
 };
 
+/// What the ship answers to a roll moment: what belongs to one frequency lies together.
+enum RollAnswer : std::uint8_t {
+  kImpedanceRe,  // of D beyond stiffness - omega_e^2 inertia
+  kImpedanceIm,
+  kSwayRe,  // per roll
+  kSwayIm,
+  kYawRe,
+  kYawIm,
+  kNumRollAnswers
+};
+using RollAnswers = std::array<float, kNumRollAnswers>;
+
 /// By |omega_e|: first + n step.
 struct RollUpdateTable {
-  using Values = std::array<float, kNumRollUpdateNodes>;
   double highest = 0.0;   // |omega_e| that the table goes to [rad/s]
   double first = 0.0;     // rad/s
   double per_step = 0.0;  // s
   double stiffness = 0.0;
   double inertia = 0.0;
-  Values impedance_re{};  // of D beyond stiffness - omega_e^2 inertia
-  Values impedance_im{};
-  Values sway_re{};  // per roll
-  Values sway_im{};
-  Values yaw_re{};
-  Values yaw_im{};
+  std::array<RollAnswers, kNumRollUpdateNodes> node{};
 };
 
 struct RollUpdate {
@@ -53,30 +59,25 @@ struct RollUpdate {
 /// `lowest`: the least |omega_e| that will be asked for [rad/s].
 RollUpdate roll_update(const LoadedHull& hull, double speed, double lowest);
 
-/// What more damping does to roll, and what sway and yaw change with it.
-struct RollChange {
-  std::complex<double> impedance;  // D at |omega_e|
-  std::complex<double> sway_per_roll;
-  std::complex<double> yaw_per_roll;
-  bool is_negligible = false;  // |omega_e| beyond the table
-};
+/// Beyond the table more damping does nothing worth counting.
+inline bool is_tabulated(const RollUpdateTable& table, double omega_e) {
+  return omega_e < table.highest;
+}
 
-/// omega_e > 0, at least the lowest of the table [rad/s]. For negative encounter frequencies take the
-/// conjugates.
-inline RollChange roll_change(const RollUpdateTable& table, double omega_e) {
-  if (!(omega_e < table.highest)) {
-    return {.impedance = {}, .sway_per_roll = {}, .yaw_per_roll = {}, .is_negligible = true};
-  }
+/// The ship's own stiffness and inertia included: kImpedanceRe is Re D. omega_e > 0, at least the lowest of
+/// the table and within it [rad/s]. For negative encounter frequencies take the conjugates.
+inline RollAnswers roll_answers(const RollUpdateTable& table, double omega_e) {
   const double place = std::max(0.0, (omega_e - table.first) * table.per_step);
-  const std::size_t n = std::min(static_cast<std::size_t>(place), kNumRollUpdateNodes - 2);
-  const double t = place - static_cast<double>(n);
-  const auto between = [n, t](const RollUpdateTable::Values& values) {
-    return (1.0 - t) * static_cast<double>(values[n]) + t * static_cast<double>(values[n + 1]);
-  };
-  return {.impedance = {table.stiffness - omega_e * omega_e * table.inertia + between(table.impedance_re),
-                        between(table.impedance_im)},
-          .sway_per_roll = {between(table.sway_re), between(table.sway_im)},
-          .yaw_per_roll = {between(table.yaw_re), between(table.yaw_im)}};
+  // As an int: a conversion to an unsigned 64-bit number is several instructions.
+  const auto whole = static_cast<int>(std::min(place, static_cast<double>(kNumRollUpdateNodes - 2)));
+  const auto n = static_cast<std::size_t>(whole);
+  const auto t = static_cast<float>(place - static_cast<double>(whole));
+  RollAnswers out;
+  for (std::size_t i = 0; i < kNumRollAnswers; ++i) {
+    out[i] = table.node[n][i] + t * (table.node[n + 1][i] - table.node[n][i]);
+  }
+  out[kImpedanceRe] += static_cast<float>(table.stiffness - omega_e * omega_e * table.inertia);
+  return out;
 }
 
 }  // namespace quickstrip

@@ -21,6 +21,7 @@
 #include "core/strip/equations_of_motion.hpp"
 #include "core/strip/transfer_functions.hpp"
 #include "tests/support/hulls.hpp"
+#include "tests/support/single_precision.hpp"
 
 namespace quickstrip {
 namespace {
@@ -275,7 +276,7 @@ TEST_F(RollPeakTest, AddsNothingWhereTheResponseIsAStraightLine) {
   const Case beam{long_crested(14.0, SpectrumShape::kJonswap, 3.3), 90.0, 0.0};
   place(beam, transfer_->omega);
   EXPECT_GT(transfer_->peak[0][18].num_points, 0U);
-  EXPECT_NEAR(moments(0.0)[roll_].m0, 5.0 * 5.0 / 16.0, 1e-12);  // rounding of the sums
+  EXPECT_NEAR(moments(0.0)[roll_].m0, 5.0 * 5.0 / 16.0, kSingle);
 }
 
 // Roll resonance is where the motions are largest, and as wide as they are.

@@ -36,7 +36,10 @@ class Scene {
             .lpp = hull.lpp,
             .min_steerage_speed = hull.min_steerage_speed};
   }
-  void sweep() { ASSERT_TRUE(sweep_grid(inputs(), workspace, grid).ok()); }
+  void sweep() {
+    prepare_sweep(transfer, watch, workspace.sweep);
+    ASSERT_TRUE(sweep_grid(inputs(), workspace, grid).ok());
+  }
 
   Hull hull;
   Criteria criteria;

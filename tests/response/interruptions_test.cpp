@@ -14,12 +14,12 @@
 #include "core/response/motion_sickness.hpp"
 #include "core/response/short_term.hpp"
 #include "tests/response/synthetic.hpp"
+#include "tests/support/single_precision.hpp"
 
 namespace quickstrip {
 namespace {
 
 constexpr double kG = kStandardGravity;
-constexpr double kSingle = 1e-6;  // of a moment: motions are kept in single precision
 
 /// Roll, sway and heave that ask for all phases: no symmetry but that of the ship.
 MotionTransfer crooked(double speed, double mu, double omega) {
@@ -108,7 +108,8 @@ TEST_F(Interruptions, AreTheSquareOfOneComplexSumInAllFourQuadrants) {
       EXPECT_TRUE(watch_.channels[c + 1].to_starboard);
       EXPECT_NEAR(moments[c].m0 / to_port, 1.0, kSingle) << mu_deg;
       EXPECT_NEAR(moments[c + 1].m0 / to_starboard, 1.0, kSingle) << mu_deg;
-      EXPECT_NEAR(moments[c].m2 / moments[c].m0, std::pow(transfer.encounter_frequency, 2), 1e-9) << mu_deg;
+      EXPECT_NEAR(moments[c].m2 / moments[c].m0, std::pow(transfer.encounter_frequency, 2), kSingle)
+          << mu_deg;
       EXPECT_GT(std::fabs(to_port / to_starboard - 1.0), 0.02) << "the sides are not to be alike, " << mu_deg;
     }
   }

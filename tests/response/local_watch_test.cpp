@@ -10,6 +10,7 @@
 #include "core/advice/people_channels.hpp"
 #include "core/response/moments.hpp"
 #include "tests/response/synthetic.hpp"
+#include "tests/support/single_precision.hpp"
 
 namespace quickstrip {
 namespace {
@@ -69,8 +70,8 @@ TEST_F(LocalMotions, AVelocitysVarianceIsTheDisplacementsSecondMomentAndItsPerio
   for (const auto& pair : pairs) {
     const ResponseMoments displacement = pick(local_, all, pair[0]);
     const ResponseMoments velocity = pick(local_, all, pair[1]);
-    EXPECT_NEAR(velocity.m0, displacement.m2, 1e-12 * velocity.m0);  // order of products
-    EXPECT_NEAR(velocity.m2, displacement.m4, 1e-12 * velocity.m2);
+    EXPECT_NEAR(velocity.m0, displacement.m2, kSingle * velocity.m0);
+    EXPECT_NEAR(velocity.m2, displacement.m4, kSingle * velocity.m2);
   }
   // Vertical acceleration has no component of gravity: twice differentiated.
   EXPECT_NEAR(pick(local_, all, Quantity::kVerticalAcceleration).m0,
@@ -106,7 +107,7 @@ TEST_F(LocalMotions, OfAShipThatFollowsLongWavesAreTheWavesOwn) {
     return raft;
   });
   ASSERT_TRUE(add_local_motions({10.0, 2.0, 5.0}, 0, false, kStandardGravity, local_).ok());
-  EXPECT_NEAR(pick(local_, moments_of(local_), Quantity::kDisplacementZ).m0, 1.0, 1e-12);  // hs 4 m
+  EXPECT_NEAR(pick(local_, moments_of(local_), Quantity::kDisplacementZ).m0, 1.0, kSingle);  // hs 4 m
 }
 
 TEST_F(LocalMotions, AreRefusedWhenTheyAreNoneOrTooMany) {

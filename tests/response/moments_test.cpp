@@ -8,6 +8,7 @@
 
 #include "core/response/short_term.hpp"
 #include "tests/response/synthetic.hpp"
+#include "tests/support/single_precision.hpp"
 
 namespace quickstrip {
 namespace {
@@ -41,7 +42,7 @@ TEST_F(Moments, OfAUnitResponseGiveAQuarterOfTheSignificantWaveHeight) {
   });
   synthetic::add_system(*sea_, *transfer_, 4.0, 9.0, 10, 6);
   const auto moments = at(*sea_, 123.0, 3.3);
-  EXPECT_NEAR(std::sqrt(moments[channel(Quantity::kHeave)].m0), 1.0, 1e-12);  // rounding of the sums
+  EXPECT_NEAR(std::sqrt(moments[channel(Quantity::kHeave)].m0), 1.0, kSingle);
 }
 
 TEST_F(Moments, OfOneWaveAreItsEnergyTimesPowersOfTheEncounterFrequency) {
@@ -51,13 +52,12 @@ TEST_F(Moments, OfOneWaveAreItsEnergyTimesPowersOfTheEncounterFrequency) {
   const double omega_e = omega + 4.0 * omega * omega / kStandardGravity;
   const ResponseMoments& heave = moments[channel(Quantity::kHeave)];
   const double h2 = std::norm(synthetic::shiplike(4.0, kPi, omega).motion[2]);
-  constexpr double kSingle = 1.2e-7;  // motions are kept in single precision
   EXPECT_NEAR(heave.m0, 0.5 * h2, kSingle * h2);
   EXPECT_NEAR(heave.m1, 0.5 * h2 * omega_e, kSingle * h2);
   EXPECT_NEAR(heave.m2, 0.5 * h2 * omega_e * omega_e, kSingle * h2);
   EXPECT_NEAR(heave.m4, 0.5 * h2 * std::pow(omega_e, 4), kSingle * h2);
-  EXPECT_NEAR(zero_crossing_period(heave.m0, heave.m2), kTwoPi / omega_e, 1e-12);
-  EXPECT_NEAR(crest_period(heave.m2, heave.m4), kTwoPi / omega_e, 1e-12);
+  EXPECT_NEAR(zero_crossing_period(heave.m0, heave.m2), kTwoPi / omega_e, kSingle);
+  EXPECT_NEAR(crest_period(heave.m2, heave.m4), kTwoPi / omega_e, kSingle);
 }
 
 TEST_F(Moments, AreThoseOfTheRightSideForWavesFromStarboardAndFromPort) {
@@ -106,7 +106,7 @@ TEST_F(Moments, BetweenHeadingsAndSpeedsAreTheBilinearMeanOfTheFourCorners) {
   for (std::size_t c = 0; c < middle.size(); ++c) {
     const double expected =
         0.75 * (0.8 * c00[c].m2 + 0.2 * c10[c].m2) + 0.25 * (0.8 * c01[c].m2 + 0.2 * c11[c].m2);
-    EXPECT_NEAR(middle[c].m2, expected, 1e-11 * expected);  // 40/5 is not exact in radians
+    EXPECT_NEAR(middle[c].m2, expected, kSingle * expected);
   }
 }
 

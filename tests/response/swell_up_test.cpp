@@ -10,6 +10,7 @@
 #include "core/response/moments.hpp"
 #include "core/response/slamming.hpp"
 #include "tests/response/synthetic.hpp"
+#include "tests/support/single_precision.hpp"
 
 namespace quickstrip {
 namespace {
@@ -161,7 +162,7 @@ TEST_F(SwellUpOf, EachWaveRaisesRelativeMotionByTheFactorAtItsOwnEncounterFreque
       const double omega_e = transfer->omega[f] + speed * transfer->wave_number[f];
       const double factor = on.channels[slamming].dynamic_swell_up.factor(speed, omega_e);
       by_formula += factor != kSwellUpFactor ? 1 : 0;
-      EXPECT_NEAR(with[slamming].m0, factor * factor * without[slamming].m0, 1e-12 * with[slamming].m0);
+      EXPECT_NEAR(with[slamming].m0, factor * factor * without[slamming].m0, kSingle * with[slamming].m0);
     }
   }
   EXPECT_GE(by_formula, 3u);
@@ -190,8 +191,8 @@ TEST_F(SwellUpOf, TheShipRaisesRelativeMotionAndVelocityByTheFactorAndLowersTheF
   for (std::size_t c = 0; c < on.size(); ++c) {
     const Channel& channel = on_watch.channels[c];
     const double expected = is_event(channel.quantity) ? kSquare : 1.0;
-    EXPECT_NEAR(on[c].m0, expected * off[c].m0, 1e-12 * on[c].m0);
-    EXPECT_NEAR(on[c].m2, expected * off[c].m2, 1e-12 * on[c].m2);
+    EXPECT_NEAR(on[c].m0, expected * off[c].m0, kSingle * on[c].m0);
+    EXPECT_NEAR(on[c].m2, expected * off[c].m2, kSingle * on[c].m2);
     const bool is_freeboard = channel.quantity == Quantity::kDeckWetness;
     EXPECT_EQ(level_at(channel, 8.0) < level_at(off_watch.channels[c], 8.0), is_freeboard);
     EXPECT_EQ(level_at(channel, 0.0), level_at(off_watch.channels[c], 0.0));

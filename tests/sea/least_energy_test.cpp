@@ -19,9 +19,9 @@ std::vector<double> nodes() {
   return out;
 }
 
-// Zero, or far from the denormals even after products and squares: above 1e-60.
+// Zero, or far from the denormals even in single precision and after products: above 1e-28.
 bool is_quick(double value) {
-  return value == 0.0 || (std::fabs(value) >= 1e-60 && std::isfinite(value));
+  return value == 0.0 || (std::fabs(value) >= 1e-28 && std::isfinite(value));
 }
 
 void expect_quick(const SeaEnergy& sea) {
