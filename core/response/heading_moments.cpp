@@ -116,13 +116,14 @@ StaticVector<RollAddition, kMaxDampedLevels> list_additions(const Sweep& sweep) 
 void linearise_headings(const Sweep& sweep, SweepWorkspace& work, HeadingDamping& out) {
   const RollDampers dampers{sweep.transfer.roll_damping, sweep.levels(), sweep.transfer.speeds[sweep.speed],
                             sweep.options.is_stabilised, sweep.options.shift.damping_factor};
+  LinearisedRoll roll;
   for (std::size_t h = 0; h < kNumDirections; ++h) {
     RollVariances variances;
     for (std::size_t l = 0; l < dampers.levels.count; ++l) {
       variances.roll[l] = work.at_level[l].m0[h];
       variances.velocity[l] = work.at_level[l].m2[h];
     }
-    const LinearisedRoll roll = linearise_roll(dampers, variances);
+    roll = linearise_roll(dampers, variances, h > 0 ? &roll : nullptr);
     out.added[h] = roll.damping;
     out.residual[h] = roll.residual;
     for (std::size_t l = 0; l < kRollDampingLevels; ++l) {

@@ -56,9 +56,10 @@ ByLevel level_weights(const RollDampingLevels& levels, double damping) {
   return weight;
 }
 
-LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at) {
+LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at,
+                              const LinearisedRoll* near) {
   const RollDampingLevels& levels = dampers.levels;
-  LinearisedRoll out{.damping = levels.added[0], .residual = 0.0, .weight = {}};
+  LinearisedRoll out{.damping = levels.added[0], .residual = 0.0, .slope = kFirst, .weight = {}};
   out.weight = level_weights(levels, out.damping);
   if (levels.count == 1) {
     out.damping = dampers.factor * levels.added[0];
@@ -68,9 +69,11 @@ LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& a
     const double called = called_for(dampers, at, std::exp(log_damping));
     return std::log(std::max(called, kLeastShare * levels.added[1])) - log_damping;
   };
-  double x = std::log(levels.added[1]);
+  // Not from one that was not found, nor from what is no number.
+  const bool is_near = near != nullptr && near->damping > 0.0 && near->residual < kRollResidualLimit;
+  double x = std::log(is_near ? near->damping : levels.added[1]);
   double f = excess(x);
-  double slope = kFirst;
+  double slope = is_near ? near->slope : kFirst;
   for (int step = 0; step < kMostSteps && std::fabs(f) > kConverged; ++step) {
     const double next = x - f / slope;
     const double f_next = excess(next);
@@ -82,6 +85,7 @@ LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& a
   }
   out.damping = std::exp(x);
   out.residual = std::fabs(std::expm1(f));
+  out.slope = slope;
   out.weight = level_weights(levels, out.damping);
   return out;
 }

@@ -6,9 +6,10 @@
 // sigma_phidot b2; what the components take in the mean of such a roll, at its own RMS and its own frequency
 // omega = sigma_phidot / sigma_phi, is strip/roll_damping.hpp's. Damping and roll answer each other:
 // variances are known at a few dampings (strip/roll_update.hpp), between them they go with
-// 1 / (b + own) as the variance of a resonant roll does; then ln b is found by secants, at most kMostSteps.
+// 1 / (b + own) as the variance of a resonant roll does; then ln b is found by secants, at most kMostSteps,
+// in a sweep from where that of the heading beside was found.
 // The equation falls with ln b, so it has one root. Expected error of the interpolation:
-// tests/response. Cost: some 0.1 us a step, four or five steps; no state.
+// tests/response. Cost: some 0.1 us a step, four or five steps, from nearby two or three; no state.
 #pragma once
 
 #include <array>
@@ -34,6 +35,7 @@ struct RollVariances {
 struct LinearisedRoll {
   double damping = 0.0;   // added b44 [N m s]
   double residual = 0.0;  // |damping that this roll calls for / damping - 1|
+  double slope = 0.0;     // of ln(damping called for) - ln(damping), where it was found
   ByLevel weight{};       // of a variance at each level, their sum is one
 };
 
@@ -57,6 +59,8 @@ struct RollDampers {
 };
 
 /// With one level that level times the factor, no residual; without roll the first, and what stabilisers add.
-LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at);
+/// `near`: what was found of a roll much like this one, to begin with; may be null.
+LinearisedRoll linearise_roll(const RollDampers& dampers, const RollVariances& at,
+                              const LinearisedRoll* near = nullptr);
 
 }  // namespace quickstrip
