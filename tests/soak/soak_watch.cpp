@@ -1,18 +1,14 @@
-// soak_watch: listens to QS_HEALTH of a live advisor for some minutes, and beside it measures the machine's
-// own jitter: a thread on each processor, of the advisor's scheduling class where permitted and just above
-// its priority, that only sleeps to absolute times, a millisecond apart. Exit 0 when nothing of the claim was
-// broken: every missed deadline explained by time that the machine took away, resident memory and page faults
-// flat, no heap calls in the cycle's thread; 1 otherwise. Figures on standard output.
+// soak_watch: listens to QS_HEALTH of a live advisor for some minutes, and beside it watches the machine: a
+// witness on each processor (witness.hpp), of the advisor's scheduling class where permitted and just above
+// its priority. Exit 0 when nothing of the claim was broken: every missed deadline explained by time that the
+// machine took away or by known work that took longer just then, resident memory and page faults flat, no
+// heap calls in the cycle's thread; 1 otherwise. Figures on standard output.
 //   soak_watch URL SECONDS WARM_UP_SECONDS [PAGES]
 // PAGES, default 0: that may still be touched for the first time after the warm-up, in a run too short for
 // that.
-#include <pthread.h>
-#include <sched.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
@@ -23,91 +19,19 @@
 #include <vector>
 
 #include "quickstrip/health_t.hpp"
+#include "tests/soak/witness.hpp"
 
 namespace {
 
 using quickstrip::health_t;
 
-constexpr std::int64_t kTick_ns = 1'000'000;
-constexpr std::int64_t kWindow_ns = 100'000'000;  // late wakes within it add up
-constexpr std::int64_t kLate_ns = 200'000;        // less than that cannot make a cycle late
-constexpr std::size_t kBins = 100'000;            // of a microsecond
+using quickstrip::soak::now_ns;
+using quickstrip::soak::Witness;
+using quickstrip::soak::WorstWindow;
 
-std::int64_t now_ns() {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+WorstWindow worse(const WorstWindow& a, const WorstWindow& b) {
+  return {std::max(a.taken_s, b.taken_s), std::max(a.slowness, b.slowness)};
 }
-
-/// What one processor took away from whoever wanted to run on it.
-class Witness {
- public:
-  void run(unsigned cpu, int priority, const std::atomic<bool>& stop) {
-    cpu_set_t cpus;
-    CPU_ZERO(&cpus);
-    CPU_SET(cpu, &cpus);
-    pthread_setaffinity_np(pthread_self(), sizeof(cpus), &cpus);
-    sched_param parameters{};
-    parameters.sched_priority = priority;
-    is_real_time_ = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
-    std::int64_t next = now_ns() + kTick_ns;
-    while (!stop.load(std::memory_order_relaxed)) {
-      const timespec until{next / 1'000'000'000, next % 1'000'000'000};
-      clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
-      const std::int64_t now = now_ns();
-      note(now, now - next);
-      next += ((now - next) / kTick_ns + 1) * kTick_ns;
-    }
-  }
-
-  /// The most that was taken within one window since the last call [s].
-  double take_worst_window_s() { return 1e-9 * static_cast<double>(worst_window_.exchange(0)); }
-  [[nodiscard]] bool is_real_time() const { return is_real_time_; }
-  /// After the thread has ended.
-  [[nodiscard]] double quantile_us(double part) const {
-    const double wanted = part * static_cast<double>(num_wakes_);
-    double seen = 0.0;
-    for (std::size_t i = 0; i < kBins; ++i) {
-      seen += static_cast<double>(bins_[i]);
-      if (seen >= wanted) {
-        return static_cast<double>(i);
-      }
-    }
-    return max_us();
-  }
-  [[nodiscard]] double max_us() const { return 1e-3 * static_cast<double>(max_); }
-
- private:
-  void note(std::int64_t now, std::int64_t late) {
-    max_ = std::max(max_, late);
-    ++num_wakes_;
-    ++bins_[std::min(static_cast<std::size_t>(late / 1000), kBins - 1)];
-    if (late < kLate_ns) {
-      return;
-    }
-    recent_[num_recent_ % recent_.size()] = {now, late};
-    ++num_recent_;
-    std::int64_t sum = 0;
-    for (const Late& one : recent_) {
-      sum += now - one.at <= kWindow_ns ? one.by : 0;
-    }
-    if (sum > worst_window_.load()) {
-      worst_window_.store(sum);
-    }
-  }
-
-  struct Late {
-    std::int64_t at = -1'000'000'000'000;
-    std::int64_t by = 0;
-  };
-  std::array<Late, 128> recent_{};
-  std::size_t num_recent_ = 0;
-  std::vector<std::uint32_t> bins_ = std::vector<std::uint32_t>(kBins);
-  std::int64_t max_ = 0;
-  std::int64_t num_wakes_ = 0;
-  std::atomic<std::int64_t> worst_window_{0};
-  std::atomic<bool> is_real_time_{false};
-};
 
 struct Soak {
   std::vector<std::unique_ptr<Witness>> witnesses;
@@ -118,17 +42,17 @@ struct Soak {
   bool is_warm = false;
   std::int64_t min_resident = INT64_MAX, max_resident = 0;
   std::int64_t machine_misses = 0, own_misses = 0;
-  double stolen_before_s = 0.0;  // in the second before: a window may lie across two messages
+  WorstWindow before;  // in the second before: a window may lie across two messages
 
   void take(const health_t& health) {
-    double stolen_s = 0.0;
+    WorstWindow worst;
     for (const auto& witness : witnesses) {
-      stolen_s = std::max(stolen_s, witness->take_worst_window_s());
+      worst = worse(worst, witness->take_worst());
     }
     if (num_messages++ > 0) {
-      judge_misses(health, std::max(stolen_s, stolen_before_s));
+      judge_misses(health, worse(worst, before));
     }
-    stolen_before_s = stolen_s;
+    before = worst;
     if (!is_warm && now_ns() >= warm_at) {
       is_warm = true;
       first = health;
@@ -140,19 +64,22 @@ struct Soak {
     last = health;
   }
 
-  /// A cycle of mean length is late when the machine took the rest of its period.
-  void judge_misses(const health_t& health, double stolen_s) {
+  /// A cycle of mean length is late when the machine took the rest of its period, or was so slow.
+  void judge_misses(const health_t& health, const WorstWindow& worst) {
     const std::int64_t misses = health.num_deadline_misses - last.num_deadline_misses;
     if (misses <= 0) {
       return;
     }
     const double rest_s = health.cycle_period_s - health.cycle_mean_s;
-    const bool is_explained = rest_s > 0.0 && stolen_s >= rest_s;
+    const double slower_s = health.cycle_mean_s * (worst.slowness - 1.0);
+    const bool is_explained = rest_s > 0.0 && worst.taken_s + slower_s >= rest_s;
     (is_explained ? machine_misses : own_misses) += misses;
     std::printf(
-        "%lld missed after %lld cycles, longest so far %.2f ms; the machine took %.2f ms, %.2f to spare%s\n",
+        "%lld missed after %lld cycles, longest so far %.2f ms; the machine took %.2f ms and %.2f by being "
+        "slower, "
+        "%.2f to spare%s\n",
         static_cast<long long>(misses), static_cast<long long>(health.num_cycles), 1e3 * health.cycle_max_s,
-        1e3 * stolen_s, 1e3 * rest_s, is_explained ? "" : ": NOT EXPLAINED");
+        1e3 * worst.taken_s, 1e3 * slower_s, 1e3 * rest_s, is_explained ? "" : ": NOT EXPLAINED");
   }
 };
 
