@@ -10,9 +10,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <lcm/lcm-cpp.hpp>
 #include <memory>
 #include <thread>
@@ -123,14 +124,26 @@ int report(const Soak& soak, long pages) {
   return is_well ? 0 : 1;
 }
 
+/// A whole number >= 0; false for anything else.
+bool read_count(const char* text, long& out) {
+  const char* const end = text + std::strlen(text);
+  const auto [at, error] = std::from_chars(text, end, out);
+  return error == std::errc() && at == end && out >= 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) {
-    std::fprintf(stderr, "usage: soak_watch URL SECONDS WARM_UP_SECONDS [PAGES]\n");
+  long seconds = 0;
+  long warm_up = 0;
+  long pages = 0;
+  if (argc < 4 || !read_count(argv[2], seconds) || !read_count(argv[3], warm_up) ||
+      (argc > 4 && !read_count(argv[4], pages))) {
+    std::fprintf(stderr, "usage: soak_watch URL SECONDS WARM_UP_SECONDS [PAGES], whole numbers\n");
     return 2;
   }
-  const std::int64_t until = now_ns() + static_cast<std::int64_t>(1e9 * std::atof(argv[2]));
+  constexpr std::int64_t kSecond_ns = 1'000'000'000;
+  const std::int64_t until = now_ns() + seconds * kSecond_ns;
   constexpr int priority = 51;  // the advisor's is 50: what it takes itself is not the machine's
   lcm::LCM bus(argv[1]);
   if (!bus.good()) {
@@ -138,7 +151,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   Soak soak;
-  soak.warm_at = now_ns() + static_cast<std::int64_t>(1e9 * std::atof(argv[3]));
+  soak.warm_at = now_ns() + warm_up * kSecond_ns;
   std::atomic<bool> stop{false};
   std::vector<std::thread> threads;
   const unsigned num_cpus = std::max(1U, std::thread::hardware_concurrency());
@@ -161,5 +174,5 @@ int main(int argc, char** argv) {
   for (std::thread& thread : threads) {
     thread.join();
   }
-  return report(soak, argc > 4 ? std::atol(argv[4]) : 0);
+  return report(soak, pages);
 }
