@@ -5,7 +5,7 @@
 set -euo pipefail
 
 build=(build-essential cmake ninja-build libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libtomlplusplus-dev liblcm-dev liblcm-bin libgtest-dev libcpp-httplib-dev)
+  libtomlplusplus-dev liblcm-dev liblcm-bin libgtest-dev libcpp-httplib-dev help2man)
 # One version of the clang tools everywhere: another formats and warns differently.
 test=(gnuplot-nox git clang-format-14 clang-tidy-14 cppcheck iproute2 util-linux chromium chromium-driver
   lintian python3

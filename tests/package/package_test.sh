@@ -23,6 +23,20 @@ for file in usr/share/quickstrip/msgs/advice_t.lcm usr/share/quickstrip/hulls/s1
   [ -f "$root/$file" ] || fail "$file is missing"
 done
 
+# --- a manual page for each program, from its own --help
+if have help2man; then
+  for page in man8/quickstrip-advisor.8 man8/quickstrip-display.8 man8/quickstrip-nmea.8 man8/quickstrip-recorder.8 \
+    man1/quickstrip-hull.1 man1/quickstrip-sim.1; do
+    file=$root/usr/share/man/$page.gz
+    [ -f "$file" ] || fail "$page is missing"
+    for section in NAME SYNOPSIS OPTIONS FILES 'SEE ALSO'; do
+      zcat "$file" | grep -qE "^\.SH \"?$section\"?$" || fail "$page has no $section"
+    done
+  done
+  # (with options as groff writes them: \-\-hull)
+  zcat "$root/usr/share/man/man8/quickstrip-advisor.8.gz" | tr -d '\\' | grep -q -- '--hull' || fail "no --hull in the advisor's page"
+fi
+
 # --- configuration: the same options as --help, none missing, none that is no more; and as shipped they are read
 options_of_help() { # but those that make no sense in a file
   "$1" --help | grep -oE '^ +(-h,)?--[a-z0-9-]+' | tr -d ' ' | sed 's/.*--//' | grep -vE '^(help|version|config)$' | sort -u
