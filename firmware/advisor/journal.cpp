@@ -49,4 +49,23 @@ void Journal::follow(const Inputs& inputs, std::int64_t utime) {
   }
 }
 
+void Journal::follow(MissedDeadlines& missed, double steady_s) {
+  if (missed.is_due(steady_s)) {
+    note(missed);
+    missed.note_told(steady_s);
+  }
+}
+
+void Journal::note(const MissedDeadlines& missed) {
+  if (missed.num() == 0) {
+    return;
+  }
+  JournalRecord record;
+  record.kind = JournalRecord::Kind::kMissed;
+  record.utime = missed.worst().utime;
+  record.missed = missed.worst();
+  record.num_missed = missed.num();
+  ring_.push(record);
+}
+
 }  // namespace quickstrip

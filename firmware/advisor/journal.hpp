@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <thread>
 
+#include "firmware/advisor/missed_deadlines.hpp"
 #include "firmware/advisor/record_ring.hpp"
 #include "firmware/session/session.hpp"
 
@@ -15,7 +16,7 @@ namespace quickstrip {
 
 /// What a line is made of.
 struct JournalRecord {
-  enum class Kind : std::uint8_t { kAdvice, kNoAdvice, kRefusal };
+  enum class Kind : std::uint8_t { kAdvice, kNoAdvice, kRefusal, kMissed };
   Kind kind = Kind::kAdvice;
   bool is_spectrum = false;  // of the sea in force
   std::int64_t utime = 0;
@@ -25,6 +26,8 @@ struct JournalRecord {
   std::array<char, 257> text{};  // reasons, or why there is no advice; ends with NUL
   std::size_t input = 0;         // of a refusal
   Conversion refusal;
+  MissedDeadline missed;  // the worst of num_missed
+  int num_missed = 0;
 };
 
 using JournalRing = RecordRing<JournalRecord, 32>;
@@ -38,6 +41,11 @@ class Journal {
 
   /// Notes when messages were refused for the first time.
   void follow(const Inputs& inputs, std::int64_t utime);
+
+  /// Call each cycle: notes misses at once, then at most every ten seconds.
+  void follow(MissedDeadlines& missed, double steady_s);
+
+  void note(const MissedDeadlines& missed);
 
  private:
   JournalRing& ring_;

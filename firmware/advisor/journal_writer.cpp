@@ -40,6 +40,16 @@ const char* word(int verdict) {
   }
 }
 
+std::string line_of_missed(const MissedDeadline& missed, int num) {
+  const std::string beginning = num == 1 ? "a deadline was missed: the cycle"
+                                         : fmt::format("{} deadlines were missed, the worst: the cycle", num);
+  return fmt::format(
+      "{} began {:.1f} ms late, took {:.1f} of {:.1f} ms, had the processor for {:.1f} ms and gave it up {} "
+      "times",
+      beginning, 1e3 * missed.late_s, 1e3 * missed.took_s, 1e3 * missed.period_s, 1e3 * missed.processor_s,
+      missed.num_waits);
+}
+
 std::string line_of(const JournalRecord& record) {
   const std::string time = utc_text(record.utime);
   switch (record.kind) {
@@ -49,6 +59,8 @@ std::string line_of(const JournalRecord& record) {
                          record.is_spectrum ? "wave spectrum" : "sea state", record.text.data());
     case JournalRecord::Kind::kNoAdvice:
       return fmt::format("{} {}", time, record.text.data());
+    case JournalRecord::Kind::kMissed:
+      return fmt::format("{} {}", time, line_of_missed(record.missed, record.num_missed));
     case JournalRecord::Kind::kRefusal:
       break;
   }

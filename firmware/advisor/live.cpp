@@ -17,8 +17,12 @@ std::int64_t system_utime() {
       .count();
 }
 
+double seconds(Clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
 double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return seconds(Clock::now() - start);
 }
 
 std::size_t index(Input input) {
@@ -80,6 +84,7 @@ bool Live::run(const LiveOptions& options, const std::atomic<bool>& stop, std::s
   publisher_.stop();
   journal_writer_.stop();
   inbox_.stop();
+  tell_totals();
   return !inbox_.has_failed();
 }
 
@@ -119,13 +124,28 @@ void Live::run_by_system_clock() {
       sleep_until(std::min<Clock::time_point>(next, now + kLook));
       continue;
     }
-    cycle(system_utime());
+    const std::int64_t utime = system_utime();
+    const ThreadUsage used = cycle(utime);
+    const Clock::time_point end = Clock::now();
+    const double late_s = seconds(now - next);
     next += period;
-    if (Clock::now() >= next) {  // a missed deadline is counted, not caught up with
+    if (end >= next) {  // a missed deadline is counted, not caught up with
       ++figures_.num_deadline_misses;
-      next = Clock::now() + period;
+      missed_.note({utime, seconds(period), late_s, seconds(end - now), used.processor_s, used.num_waits});
+      next = end + period;
     }
+    journal_.follow(missed_, seconds(end.time_since_epoch()));
   }
+  journal_.note(missed_);
+}
+
+/// What shows the claim, once it can no longer change.
+void Live::tell_totals() const {
+  tell(
+      "{} cycles, {} deadlines missed; within a cycle the processor was given up {} times, {} pages "
+      "were touched for the first time, the heap was called {} times",
+      num_cycles_, figures_.num_deadline_misses, usage_.num_waits, usage_.num_page_faults,
+      figures_.heap_calls_in_cycle);
 }
 
 void Live::run_by_log_time() {
@@ -189,7 +209,8 @@ void Live::note_times(double took_s) {
   figures_.cycle_max_s = std::max(figures_.cycle_max_s, took_s);
 }
 
-void Live::cycle(std::int64_t now) {
+ThreadUsage Live::cycle(std::int64_t now) {
+  const ThreadUsage before = usage_of_this_thread();
   const Clock::time_point start = Clock::now();
   take_inputs(now);
   figures_.page_faults = watch_.page_faults();
@@ -211,6 +232,9 @@ void Live::cycle(std::int64_t now) {
     session_.rebuild();
     figures_.rebuild_last_s = seconds_since(rebuild_start);
   }
+  const ThreadUsage used = usage_of_this_thread() - before;
+  usage_ += used;
+  return used;
 }
 
 }  // namespace quickstrip

@@ -22,9 +22,11 @@
 #include "firmware/advisor/inbox.hpp"
 #include "firmware/advisor/journal.hpp"
 #include "firmware/advisor/kept_inputs_file.hpp"
+#include "firmware/advisor/missed_deadlines.hpp"
 #include "firmware/advisor/process_watch.hpp"
 #include "firmware/advisor/publisher.hpp"
 #include "firmware/advisor/real_time.hpp"
+#include "firmware/advisor/thread_usage.hpp"
 #include "firmware/session/session.hpp"
 
 namespace quickstrip {
@@ -52,8 +54,9 @@ class Live {
   void run_by_system_clock();
   void run_by_log_time();
   void take_inputs(std::int64_t now);
-  void cycle(std::int64_t now);
+  ThreadUsage cycle(std::int64_t now);
   void note_times(double took_s);
+  void tell_totals() const;
   template <typename Message>
   void count_lost(InboxSlot<Message>& slot, Input input);
   template <typename Message>
@@ -72,6 +75,8 @@ class Live {
   RunFigures figures_;
   std::array<double, 256> last_cycles_s_{};  // for the mean
   std::int64_t num_cycles_ = 0;
+  MissedDeadlines missed_;
+  ThreadUsage usage_;                   // of the cycle's thread, within cycles
   std::int64_t heap_calls_before_ = 0;  // the cycle's thread's, when its cycles began
   std::array<std::int64_t, kNumInputs> malformed_seen_{};
   std::array<std::int64_t, kNumInputs> foreign_seen_{};

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "firmware/advisor/live.hpp"
+#include "firmware/advisor/real_time.hpp"
 #include "firmware/advisor/standard_streams.hpp"
 #include "msgs/cli/allow_source_option.hpp"
 #include "msgs/cli/list_option.hpp"
@@ -127,6 +128,7 @@ void compare_limits(const Options& options, Session& session) {
 }
 
 void run(Options& options) {
+  keep_threads_small();
   options.session.log_clock = options.clock == "log";
   options.live.real_time = options.real_time == "on"    ? RealTime::kOn
                            : options.real_time == "off" ? RealTime::kOff

@@ -17,6 +17,7 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kPrefaultedStackBytes = 256U << 10U;
+constexpr std::size_t kStackBytes = 512U << 10U;  // above the cycle's thread's need, prefaulted or not
 constexpr std::size_t kPageBytes = 4096;
 
 std::string memory_limit() {
@@ -29,11 +30,21 @@ std::string memory_limit() {
 
 }  // namespace
 
+void keep_threads_small() {
+  mallopt(M_ARENA_MAX, 1);
+  pthread_attr_t attributes;
+  if (pthread_getattr_default_np(&attributes) != 0) {
+    return;
+  }
+  pthread_attr_setstacksize(&attributes, kStackBytes);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+}
+
 RealTimeResult lock_memory() {
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_MMAP_MAX, 0);
-  // MCL_ONFAULT: else every thread's whole stack of 8 MB would be filled.
-  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) {
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) {
     return {true, "memory is locked"};
   }
   return {false, fmt::format("memory is not locked: {} (limit: {}; LimitMEMLOCK= or CAP_IPC_LOCK permits it)",

@@ -19,8 +19,12 @@ struct RealTimeResult {
   std::string line;       // for the journal
 };
 
-/// Locks the pages that the process has and will have, each once it is touched, and keeps the heap from
-/// giving pages back. Call when everything large is made and before threads start.
+/// Threads that begin from here on, LCM's among them, have stacks of 512 kB and one heap together: memory
+/// that is locked is filled, and the system's 8 and 64 MB a thread are not needed. Call first.
+void keep_threads_small();
+
+/// Fills and locks the pages that the process has and will have, and keeps the heap from giving pages back.
+/// Call when everything large is made and before threads start.
 RealTimeResult lock_memory();
 
 /// Gives the calling thread SCHED_FIFO at `priority`, 1 ... 99, where permitted.
