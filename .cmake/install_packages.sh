@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and nothing when none is.
-#   .cmake/install_packages.sh build|test|demo|bench|fuzz|arm64 ...
+#   .cmake/install_packages.sh build|test|demo|bench|fuzz|arm64|machine ...
 # Needs Debian 12, Ubuntu 24.04 or newer (CMake 3.25), and root or sudo when something is missing.
 set -euo pipefail
 
@@ -14,6 +14,7 @@ demo=(iproute2 util-linux gnuplot-nox chromium)
 bench=(libbenchmark-dev)
 fuzz=(clang-14 libclang-rt-14-dev)
 arm64=(g++-aarch64-linux-gnu qemu-user-static)
+machine=(debootstrap qemu-system-x86 e2fsprogs dpkg-dev)
 
 wanted=()
 for set in "$@"; do
@@ -24,7 +25,8 @@ for set in "$@"; do
     bench) wanted+=("${bench[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
     arm64) wanted+=("${arm64[@]}") ;;
-    *) echo "usage: install_packages.sh build|test|demo|bench|fuzz|arm64 ..." >&2; exit 2 ;;
+    machine) wanted+=("${machine[@]}") ;;
+    *) echo "usage: install_packages.sh build|test|demo|bench|fuzz|arm64|machine ..." >&2; exit 2 ;;
   esac
 done
 
