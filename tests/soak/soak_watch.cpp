@@ -86,14 +86,13 @@ struct Misses {
   std::int64_t num_own_lines = 0;  // that the machine does not explain
 };
 
-/// A cycle gives the processor up only when it is done. The time from when it was due in which it did not
-/// have the processor was therefore taken from it. What it had too long must be seen by a witness: a host
-/// that stops a processor, a processor that has become slower.
+/// A cycle gives the processor up only when it is done: the time in which it did not have it was taken from
+/// it. If it had it for longer than its period, a witness must have seen why: a host that stops a processor
+/// without saying so, a processor that has become slower.
 bool is_explained(const MissedLine& missed, const WorstWindow& worst) {
-  const double taken_ms = missed.late_ms + missed.took_ms - missed.processor_ms;
+  const double beyond_ms = missed.processor_ms - missed.period_ms;
   const double slower_ms = missed.processor_ms * (1.0 - 1.0 / worst.slowness);
-  const double over_ms = missed.late_ms + missed.took_ms - missed.period_ms;
-  return missed.num_waits == 0 && taken_ms + 1e3 * worst.taken_s + slower_ms >= over_ms;
+  return missed.num_waits == 0 && beyond_ms <= 1e3 * worst.taken_s + slower_ms;
 }
 
 std::vector<std::pair<std::string, MissedLine>> missed_lines(const char* journal) {
