@@ -114,7 +114,7 @@ Status Advisor::build(const Loading& loading) {
     return status;
   }
   // Here and not in the first cycle, that every cycle takes the same time.
-  prepare_sweep(transfer_, watch_, memory_.emplace<CycleMemory>().grid.sweep);
+  list_incident_waves(transfer_, watch_, memory_.emplace<CycleMemory>().grid.sweep.waves);
   return {};
 }
 
@@ -319,6 +319,7 @@ GridInputs Advisor::grid_inputs(const CycleMemory& cycle) const {
           .criteria = criteria_,
           .channels = channels_,
           .sea = cycle.sea,
+          .waves = &cycle.grid.sweep.waves,
           .num_headings = num_headings_,
           .lpp = hull_->lpp,
           .min_steerage_speed = hull_->min_steerage_speed,

@@ -87,9 +87,10 @@ double expected_largest(const QuantityResponse& response, double duration) {
 Status respond(const GridInputs& inputs, Heading heading, double speed, CellResponse& out) {
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(inputs.watch.channels.size());
-  const ChannelSet* const with_fourth = inputs.wants_all_bandwidths ? nullptr : &inputs.channels.is_watched;
-  const Result<RollDampingInUse> damping = response_moments(
-      inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments, with_fourth, inputs.is_stabilised);
+  const MomentOptions options{inputs.wants_all_bandwidths ? nullptr : &inputs.channels.is_watched,
+                              inputs.is_stabilised, inputs.waves};
+  const Result<RollDampingInUse> damping =
+      response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments, options);
   if (!damping) {
     return damping.error();
   }

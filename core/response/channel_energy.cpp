@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstdint>
 
 #include "core/base/check.hpp"
-#include "core/response/relative_motion.hpp"
 #include "core/sea/dispersion.hpp"
 
 namespace quickstrip {
@@ -202,17 +200,6 @@ SlowEncounters find_slow_encounters(const TransferFunctions& transfer, std::size
     }
   }
   return out;
-}
-
-void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
-                        IncidentWave& out) {
-  QS_CHECK(position.y == 0.0);
-  const EncounterAngle mu = relative_direction(solved_m);
-  for (std::size_t f = 0; f < transfer.num_frequencies; ++f) {
-    const std::complex<double> wave = incident_wave(position, transfer.wave_number[f], mu);
-    out.re[f] = static_cast<float>(wave.real());
-    out.im[f] = static_cast<float>(wave.imag());
-  }
 }
 
 // Between the frequencies, on a straight line.

@@ -81,8 +81,6 @@ struct alignas(kCacheLine) IncidentWave {
   NodeValues re{};
   NodeValues im{};
 };
-void list_incident_wave(const TransferFunctions& transfer, std::size_t solved_m, const Position& position,
-                        IncidentWave& out);
 
 /// Sway, roll and yaw of one speed and direction at another roll damping (damped_motions.hpp).
 struct alignas(kCacheLine) LateralMotions {

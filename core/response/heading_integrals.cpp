@@ -9,7 +9,6 @@ namespace quickstrip {
 namespace {
 
 constexpr std::size_t kHalf = kNumDirections / 2;
-static_assert(kHalf % 2 == 0);
 static_assert(kSweepColumns % kTransformBlock == 0 &&
                   kSweepColumns >= 2 * (kRollDampingLevels * 3 * kMaxEnergyBands + kTransformBlock),
               "room for any one channel");
@@ -66,12 +65,7 @@ const LateralMotions* damped_at(const Towards& to, const SweepSubject& subject, 
 }
 
 WaveThere wave_there(const Towards& to, const SweepSubject& subject) {
-  if (subject.waves == nullptr) {
-    return {to.no_wave};
-  }
-  const std::size_t m = to.met.solved_m;
-  const bool is_ahead = m > kHalf / 2;
-  return {subject.waves[is_ahead ? kHalf - m : m], is_ahead};
+  return subject.waves != nullptr ? wave_from(*subject.waves, to.met.solved_m) : WaveThere{to.no_wave};
 }
 
 void integrate_channel(const Towards& to, const SweepSubject& subject) {

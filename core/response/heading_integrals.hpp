@@ -18,6 +18,7 @@
 #include "core/response/band_weights.hpp"
 #include "core/response/damped_motions.hpp"
 #include "core/response/direction_response.hpp"
+#include "core/response/incident_waves.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/transfer_functions.hpp"
 
@@ -26,9 +27,9 @@ namespace quickstrip {
 /// A channel, or the slow waves themselves (null), and what is wanted of it.
 struct SweepSubject {
   const Channel* channel = nullptr;
-  std::size_t place = 0;                // of the channel in the watch
-  const IncidentWave* waves = nullptr;  // by direction of 0 ... 90 degrees; relative motion only
-  std::size_t num_levels = 1;           // of roll damping, 1 ... kRollDampingLevels
+  std::size_t place = 0;                  // of the channel in the watch
+  const WavesOfQuarter* waves = nullptr;  // of relative motion only
+  std::size_t num_levels = 1;             // of roll damping, 1 ... kRollDampingLevels
   StaticVector<Moment, 3> moments{};
   std::size_t first_even = 0;  // of its columns
   std::size_t first_odd = 0;

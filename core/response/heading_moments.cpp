@@ -8,7 +8,6 @@
 namespace quickstrip {
 namespace {
 
-constexpr std::size_t kQuarter = kNumDirections / 4;
 
 void want(Moment moment, bool is_wanted, SweepSubject& subject) {
   if (is_wanted) {
@@ -142,7 +141,7 @@ void list_subjects(const Sweep& sweep, const Needs& needs, const SlowEncounters&
     const bool is_damped = sweep.has_levels && feels_roll(channel);
     SweepSubject subject{.channel = &channel,
                          .place = c,
-                         .waves = channel.form.wave > 0.0 ? work.wave[work.wave_of[c]].data() : nullptr,
+                         .waves = channel.form.wave > 0.0 ? &work.waves.of(c) : nullptr,
                          .num_levels = is_damped ? sweep.levels().count : 1};
     want(Moment::kZeroth, true, subject);
     want(Moment::kSecond, needs_second_moment(channel) || (is_damped && c == roll), subject);
@@ -190,22 +189,6 @@ void read_subject(const Sweep& sweep, const SweepSubject& subject, SweepWorkspac
 }
 
 }  // namespace
-
-void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, SweepWorkspace& work) {
-  std::size_t num_waves = 0;
-  for (std::size_t c = 0; c < watch.channels.size(); ++c) {
-    work.wave_of[c] = 0;
-    if (!(watch.channels[c].form.wave > 0.0)) {
-      continue;
-    }
-    QS_CHECK(num_waves < work.wave.size());
-    work.wave_of[c] = num_waves;
-    for (std::size_t m = 0; m <= kQuarter; ++m) {
-      list_incident_wave(transfer, m, watch.channels[c].position, work.wave[num_waves][m]);
-    }
-    ++num_waves;
-  }
-}
 
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
                           const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,

@@ -23,6 +23,7 @@
 #include "core/base/capacity.hpp"
 #include "core/response/heading_convolution.hpp"
 #include "core/response/heading_integrals.hpp"
+#include "core/response/incident_waves.hpp"
 #include "core/response/roll_linearisation.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
@@ -55,11 +56,9 @@ struct HeadingMoments {
   ByHeading slow_wave_energy{};  // of the waves that list_slow_waves() marks [m2]
 };
 
-/// Scratch, but for what prepare_sweep() leaves.
+/// Scratch, but for the waves, which are listed once a loading.
 struct SweepWorkspace {
-  // By channel of relative motion and direction of 0 ... 90 degrees: on the centre line the wave of the
-  // supplementary angle is the complex conjugate.
-  std::array<std::array<IncidentWave, kNumDirections / 4 + 1>, kMaxRelativeChannels> wave{};
+  IncidentWaves waves;
   // Of one speed: channels in the order of their sums, and those sums.
   DirectionWork direction;
   SweepColumns columns;
@@ -69,11 +68,7 @@ struct SweepWorkspace {
   // heading.
   std::array<ChannelMoments, kRollDampingLevels> at_level{};
   std::array<ByHeading, kRollDampingLevels> level_weight{};
-  std::array<std::size_t, kMaxChannels> wave_of{};  // by channel
 };
-
-/// Incident waves of every relative motion: once a loading.
-void prepare_sweep(const TransferFunctions& transfer, const Watch& watch, SweepWorkspace& work);
 
 struct SweepOptions {
   bool counts_slow_waves = true;  // slow_wave_energy too

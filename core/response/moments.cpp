@@ -22,7 +22,7 @@ struct Course {
   const Watch& watch;
   const SeaEnergy& sea;
   HeadingBracket heading;
-  bool is_stabilised;
+  const MomentOptions& options;
 
   [[nodiscard]] const RollDampingLevels& levels() const { return transfer.roll_update[speed].levels; }
 };
@@ -133,10 +133,11 @@ void add_channel(const Course& course, std::size_t m, const Direction& direction
   const Channel& channel = course.watch.channels[c];
   const MetWaves met{course.transfer, course.speed, m, direction.encounters, direction.longitudinal};
   IncidentWave wave;
-  if (channel.form.wave > 0.0) {
+  const IncidentWaves* const listed = course.options.waves;
+  if (channel.form.wave > 0.0 && listed == nullptr) {
     list_incident_wave(course.transfer, m, channel.position, wave);
   }
-  begin_channel(met, channel, {wave}, room);
+  begin_channel(met, channel, listed != nullptr ? wave_from(listed->of(c), m) : WaveThere{wave}, room);
   const Seen seen{met, direction, course.sea.num_systems, has_sides(met, channel), room};
   for (std::size_t l = 0; l < levels.size(); ++l) {
     list_values(met, channel, direction.at_level(l), room);
@@ -164,7 +165,7 @@ LinearisedRoll linearise_course(const Course& course, Direction& direction, Chan
     variances.velocity[l] = roll[l].m2;
   }
   return linearise_roll({course.transfer.roll_damping, course.levels(), course.transfer.speeds[course.speed],
-                         course.is_stabilised},
+                         course.options.is_stabilised},
                         variances);
 }
 
@@ -243,8 +244,7 @@ Result<SpeedBracket> bracket_speed(const TransferFunctions& transfer, double spe
 
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
-                                          std::span<ResponseMoments> out, const ChannelSet* with_fourth,
-                                          bool is_stabilised) {
+                                          std::span<ResponseMoments> out, const MomentOptions& options) {
   if (out.size() != watch.channels.size() || sea.num_frequencies != transfer.num_frequencies) {
     return Error::kTooMany;
   }
@@ -257,17 +257,16 @@ Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, con
   }
   for (std::size_t c = 0; c < out.size(); ++c) {
     out[c] = ResponseMoments{};
-    out[c].m4 = with_fourth == nullptr || (*with_fourth)[c] ? 0.0 : kNoMoment;
+    out[c].m4 = options.with_fourth == nullptr || (*options.with_fourth)[c] ? 0.0 : kNoMoment;
   }
   const HeadingBracket directions = bracket_heading(heading);
   RollDampingInUse damping;
   if (bracket->part < 1.0) {
-    add_course({transfer, bracket->lower, watch, sea, directions, is_stabilised}, 1.0 - bracket->part, out,
+    add_course({transfer, bracket->lower, watch, sea, directions, options}, 1.0 - bracket->part, out,
                damping);
   }
   if (bracket->part > 0.0) {
-    add_course({transfer, bracket->upper, watch, sea, directions, is_stabilised}, bracket->part, out,
-               damping);
+    add_course({transfer, bracket->upper, watch, sea, directions, options}, bracket->part, out, damping);
   }
   // The cubic of a density may undershoot beside a sharp edge of a measured system.
   for (ResponseMoments& moments : out) {

@@ -19,6 +19,7 @@
 #include "core/base/angles.hpp"
 #include "core/base/capacity.hpp"
 #include "core/base/result.hpp"
+#include "core/response/incident_waves.hpp"
 #include "core/response/watch.hpp"
 #include "core/sea/sea_energy.hpp"
 #include "core/strip/transfer_functions.hpp"
@@ -47,15 +48,18 @@ struct RollDampingInUse {
   double residual = 0.0;  // of its linearisation (roll_linearisation.hpp); 0 where it does not depend on roll
 };
 
+struct MomentOptions {
+  const ChannelSet* with_fourth = nullptr;  // of which m4 is wanted; null: all
+  bool is_stabilised = false;               // stabilisers work
+  const IncidentWaves* waves = nullptr;  // of the watch; null: found at each direction, a fifth of the work
+};
+
 /// Returns the roll damping that the moments rest on. out: one per channel of the watch. Errors:
 /// kSpeedOutOfGrid, kNotFinite; kTooMany when the sea and the transfer functions have different frequencies
-/// or `out` another length than the watch. `with_fourth`: the channels of which m4 is wanted; null: all.
-/// `is_stabilised`: stabilisers work.
+/// or `out` another length than the watch.
 Result<RollDampingInUse> response_moments(const TransferFunctions& transfer, const Watch& watch,
                                           const SeaEnergy& sea, Heading heading, double speed,
-                                          std::span<ResponseMoments> out,
-                                          const ChannelSet* with_fourth = nullptr,
-                                          bool is_stabilised = false);
+                                          std::span<ResponseMoments> out, const MomentOptions& options = {});
 
 /// The share of the wave energy itself in waves that list_slow_waves() marks (channel_energy.hpp), in [0, 1].
 /// Errors: kSpeedOutOfGrid, kNotFinite.

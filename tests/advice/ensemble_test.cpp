@@ -129,7 +129,7 @@ class ShiftedShip {
                             .sea = *sea_,
                             .lpp = hull_.lpp,
                             .roll_shift = shift};
-    prepare_sweep(*transfer_, watch_, workspace_->sweep);
+    list_incident_waves(*transfer_, watch_, workspace_->sweep.waves);
     EXPECT_TRUE(sweep_grid(inputs, *workspace_, *grid_).ok());
     return *grid_;
   }

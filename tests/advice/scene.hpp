@@ -37,7 +37,7 @@ class Scene {
             .min_steerage_speed = hull.min_steerage_speed};
   }
   void sweep() {
-    prepare_sweep(transfer, watch, workspace.sweep);
+    list_incident_waves(transfer, watch, workspace.sweep.waves);
     ASSERT_TRUE(sweep_grid(inputs(), workspace, grid).ok());
   }
 

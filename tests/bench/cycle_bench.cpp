@@ -231,7 +231,7 @@ struct Sweep {
     channels = bind_criteria(criteria, watch);
     is_ready = is_ready && (at.inputs.spectrum != nullptr ? place_on_grid(*at.inputs.spectrum, omega, sea)
                                                           : place_on_grid(at.sea, omega, sea));
-    prepare_sweep(transfer, watch, workspace.sweep);
+    list_incident_waves(transfer, watch, workspace.sweep.waves);
   }
   [[nodiscard]] GridInputs inputs() const {
     return {.transfer = transfer, .watch = watch, .criteria = criteria, .channels = channels, .sea = sea};

@@ -60,6 +60,23 @@ TEST_F(Moments, OfOneWaveAreItsEnergyTimesPowersOfTheEncounterFrequency) {
   EXPECT_NEAR(crest_period(heave.m2, heave.m4), kTwoPi / omega_e, kSingle);
 }
 
+TEST_F(Moments, AreTheSameByIncidentWavesThatAreListedOnceForAll) {
+  synthetic::add_system(*sea_, *transfer_, 4.0, 9.0, 10, 30);
+  const auto waves = std::make_unique<IncidentWaves>();
+  list_incident_waves(*transfer_, watch_, *waves);
+  for (const double heading_deg : {0.0, 40.0, 130.0, 250.0}) {
+    const auto found = at(*sea_, heading_deg, 3.3);
+    std::vector<ResponseMoments> listed(watch_.channels.size());
+    ASSERT_TRUE(response_moments(*transfer_, watch_, *sea_, {radians(heading_deg)}, 3.3, listed,
+                                 {.waves = waves.get()})
+                    .ok());
+    for (std::size_t c = 0; c < listed.size(); ++c) {
+      EXPECT_NEAR(listed[c].m0, found[c].m0, kSingle * found[c].m0) << c << ", " << heading_deg;
+      EXPECT_NEAR(listed[c].m4, found[c].m4, kSingle * found[c].m4) << c << ", " << heading_deg;
+    }
+  }
+}
+
 TEST_F(Moments, AreThoseOfTheRightSideForWavesFromStarboardAndFromPort) {
   // The bridge lies to port: roll and heave add there for waves from one side and cancel for the other.
   const std::size_t f = 10;  // 0.61 rad/s: near the roll resonance

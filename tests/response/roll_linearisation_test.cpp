@@ -140,7 +140,7 @@ class LinearisedS175 : public testing::Test {
     const auto moments = std::make_unique<HeadingMoments>();
     Needs needs{};
     needs.fill(Need::kVarianceAndLowEncounter);
-    prepare_sweep(*transfer_, watch_, *work);
+    list_incident_waves(*transfer_, watch_, work->waves);
     list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
     std::vector<ResponseMoments> one(watch_.channels.size());
     for (std::size_t h = 0; h < kNumDirections; h += 7) {
@@ -210,7 +210,7 @@ TEST_F(LinearisedS175, StabilisersAddTheirDampingWhileTheyWork) {
     const RollDampingInUse without = respond(at, off);
     std::vector<ResponseMoments> on(off.size());
     const Result<RollDampingInUse> with =
-        response_moments(*transfer_, watch_, *sea_, {0.0}, speed, on, nullptr, true);
+        response_moments(*transfer_, watch_, *sea_, {0.0}, speed, on, {.is_stabilised = true});
     ASSERT_TRUE(with.ok());
     const double share = std::min(1.0, speed / kStabiliserSpeed);
     EXPECT_NEAR(without.added / transfer_->critical_roll_damping, 0.03, 1e-6);
@@ -298,7 +298,7 @@ TEST_F(LinearisedS175, ConvergesInEverySeaOfThePapersTable) {
   double most = 0.0;
   for (const double speed : {0.0, 4.0, 8.28, 12.0}) {
     solve(speed);
-    prepare_sweep(*transfer_, watch_, *work);
+    list_incident_waves(*transfer_, watch_, work->waves);
     for (const Beaufort& sea : kOcean) {
       place({sea.hs, sea.t1 / 0.772, 0.0, speed, 25.0});  // Tp of a Bretschneider spectrum (formulas §9)
       list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
