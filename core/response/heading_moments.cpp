@@ -8,7 +8,6 @@
 namespace quickstrip {
 namespace {
 
-
 void want(Moment moment, bool is_wanted, SweepSubject& subject) {
   if (is_wanted) {
     QS_CHECK(subject.moments.push_back(moment));
