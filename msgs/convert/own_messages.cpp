@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "msgs/convert/field_checks.hpp"
+#include "msgs/convert/ranges.hpp"
 #include "msgs/convert/units.hpp"
 
 namespace quickstrip {
@@ -111,6 +112,9 @@ Conversion check_grid(const grid_t& message) {
   for (int s = 0; s < kGridSpeeds; ++s) {
     if (!std::isfinite(message.speed_kn[s])) {
       return {Refusal::kNotFinite, "speed_kn", s};
+    }
+    if (s < message.num_speeds && !kGridSpeed_kn.holds(static_cast<double>(message.speed_kn[s]))) {
+      return {Refusal::kOutOfRange, "speed_kn", s};
     }
     if (s > 0 && s < message.num_speeds && !(message.speed_kn[s] > message.speed_kn[s - 1])) {
       return {Refusal::kNotOrdered, "speed_kn", s};

@@ -24,6 +24,7 @@ inline constexpr Range kWaveFrequency_hz{0.01, 2.0};
 
 inline constexpr Range kSpeedThroughWater_kn{-10.0, 60.0};
 inline constexpr Range kSpeedOverGround_kn{0.0, 60.0};
+inline constexpr Range kGridSpeed_kn{0.0, 100.0};
 inline constexpr Range kDraught_m{0.01, 40.0};
 inline constexpr Range kRollPeriod_s{0.5, 80.0};
 inline constexpr Range kWaterDensity_kg_m3{950.0, 1060.0};

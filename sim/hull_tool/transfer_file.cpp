@@ -34,9 +34,10 @@ Columns find_columns(const CsvFile& file) {
     c.motion[i] = file.column({fmt::format("{}_amp", kMotionNames[i])});
   }
   const bool is_long = c.dof != kNone && c.amplitude != kNone;
+  const bool is_half_long = (c.dof != kNone) != (c.amplitude != kNone);
   const bool is_wide =
       std::any_of(c.motion.begin(), c.motion.end(), [](std::size_t column) { return column != kNone; });
-  if (c.speed == kNone || c.mu == kNone || c.omega == kNone || is_long == is_wide) {
+  if (c.speed == kNone || c.mu == kNone || c.omega == kNone || is_long == is_wide || is_half_long) {
     file.refuse(
         "the header names its columns: speed_kn, mu_deg, omega, and either dof,amplitude or surge_amp "
         "... yaw_amp");
