@@ -114,7 +114,7 @@ Status Advisor::build(const Loading& loading) {
     return status;
   }
   // Here and not in the first cycle, that every cycle takes the same time.
-  list_incident_waves(transfer_, watch_, memory_.emplace<CycleMemory>().grid.sweep.waves);
+  list_incident_waves(transfer_, watch_, memory_.emplace<CycleMemory>().waves);
   return {};
 }
 
@@ -316,10 +316,10 @@ void Advisor::withhold(NoAdvice reason, StepOutput& output) {
 GridInputs Advisor::grid_inputs(const CycleMemory& cycle) const {
   return {.transfer = transfer_,
           .watch = watch_,
+          .waves = cycle.waves,
           .criteria = criteria_,
           .channels = channels_,
           .sea = cycle.sea,
-          .waves = &cycle.grid.sweep.waves,
           .num_headings = num_headings_,
           .lpp = hull_->lpp,
           .min_steerage_speed = hull_->min_steerage_speed,

@@ -83,6 +83,7 @@ class Advisor {
     TransferWorkspace work;
   };
   struct CycleMemory {
+    IncidentWaves waves;  // of the loading
     SeaEnergy sea;
     GridWorkspace grid;
     StepOutput output;

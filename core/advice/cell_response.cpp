@@ -88,7 +88,7 @@ Status respond(const GridInputs& inputs, Heading heading, double speed, CellResp
   std::array<ResponseMoments, kMaxChannels> all{};
   const auto moments = std::span(all).first(inputs.watch.channels.size());
   const MomentOptions options{inputs.wants_all_bandwidths ? nullptr : &inputs.channels.is_watched,
-                              inputs.is_stabilised, inputs.waves};
+                              inputs.is_stabilised, &inputs.waves};
   const Result<RollDampingInUse> damping =
       response_moments(inputs.transfer, inputs.watch, inputs.sea, heading, speed, moments, options);
   if (!damping) {

@@ -77,7 +77,7 @@ void for_each_speed(const GridInputs& inputs, const Needs& needs, bool counts_sl
   workspace.cell.fill(ResponseMoments{});
   const SweepOptions options{counts_slow_waves, inputs.is_stabilised, inputs.roll_shift};
   for (std::size_t v = 0; v < inputs.transfer.num_speeds; ++v) {
-    list_heading_moments(inputs.transfer, v, inputs.watch, workspace.needs, inputs.sea, options,
+    list_heading_moments(inputs.transfer, v, inputs.watch, inputs.waves, workspace.needs, inputs.sea, options,
                          workspace.sweep, workspace.moments);
     visit(v);
   }

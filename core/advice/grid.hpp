@@ -31,10 +31,10 @@ namespace quickstrip {
 struct GridInputs {
   const TransferFunctions& transfer;
   const Watch& watch;
+  const IncidentWaves& waves;  // of these transfer functions and this watch (list_incident_waves())
   const Criteria& criteria;
   const CriteriaChannels& channels;
   const SeaEnergy& sea;
-  const IncidentWaves* waves = nullptr;     // of the watch; null: found where they are wanted, at some cost
   std::size_t num_headings = kMaxHeadings;  // divides kNumDirections
   double lpp = 0.0;                         // m, for the Froude number
   double min_steerage_speed = 0.0;          // m/s
@@ -47,7 +47,7 @@ struct GridInputs {
   bool wants_all_bandwidths = false;  // of every quantity in a response, not of the watched ones alone
 };
 
-/// Scratch of sweep_grid, but for `sweep.waves`.
+/// Scratch of sweep_grid.
 struct GridWorkspace {
   SweepWorkspace sweep;
   HeadingMoments moments;
@@ -56,8 +56,7 @@ struct GridWorkspace {
   Needs needs{};
 };
 
-/// Speeds of the grid are those of the transfer functions, of which, and of the watch, `sweep.waves` are
-/// listed (list_incident_waves()). Errors: kEmptySpectrum (no energy anywhere),
+/// Speeds of the grid are those of the transfer functions. Errors: kEmptySpectrum (no energy anywhere),
 /// kOutOfRange (num_headings), kTooMany (sea and transfer functions have different frequencies).
 Status sweep_grid(const GridInputs& inputs, GridWorkspace& workspace, Grid& out);
 

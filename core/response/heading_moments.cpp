@@ -19,6 +19,7 @@ struct Sweep {
   const TransferFunctions& transfer;
   std::size_t speed;
   const Watch& watch;
+  const IncidentWaves& waves;
   const SeaEnergy& sea;
   const SweepOptions& options;
   bool has_levels;  // of roll damping, or a shifted ship
@@ -140,7 +141,7 @@ void list_subjects(const Sweep& sweep, const Needs& needs, const SlowEncounters&
     const bool is_damped = sweep.has_levels && feels_roll(channel);
     SweepSubject subject{.channel = &channel,
                          .place = c,
-                         .waves = channel.form.wave > 0.0 ? &work.waves.of(c) : nullptr,
+                         .waves = channel.form.wave > 0.0 ? &sweep.waves.of(c) : nullptr,
                          .num_levels = is_damped ? sweep.levels().count : 1};
     want(Moment::kZeroth, true, subject);
     want(Moment::kSecond, needs_second_moment(channel) || (is_damped && c == roll), subject);
@@ -190,12 +191,12 @@ void read_subject(const Sweep& sweep, const SweepSubject& subject, SweepWorkspac
 }  // namespace
 
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
-                          const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,
-                          SweepWorkspace& work, HeadingMoments& out) {
+                          const IncidentWaves& waves, const Needs& needs, const SeaEnergy& sea,
+                          const SweepOptions& options, SweepWorkspace& work, HeadingMoments& out) {
   const RollDampingLevels& levels = transfer.roll_update[speed].levels;
   const std::size_t roll = find_channel(watch, Quantity::kRoll, 0);
   const bool has_levels = (levels.count > 1 || !options.shift.is_none()) && roll < watch.channels.size();
-  const Sweep sweep{transfer, speed, watch, sea, options, has_levels};
+  const Sweep sweep{transfer, speed, watch, waves, sea, options, has_levels};
   out.roll_damping.added.fill(levels.added[0]);
   out.roll_damping.residual.fill(0.0);
   out.slow_wave_energy.fill(0.0);

@@ -56,9 +56,8 @@ struct HeadingMoments {
   ByHeading slow_wave_energy{};  // of the waves that list_slow_waves() marks [m2]
 };
 
-/// Scratch, but for the waves, which are listed once a loading.
+/// Scratch.
 struct SweepWorkspace {
-  IncidentWaves waves;
   // Of one speed: channels in the order of their sums, and those sums.
   DirectionWork direction;
   SweepColumns columns;
@@ -76,10 +75,9 @@ struct SweepOptions {
   RollShift shift{};              // needs kEnsembleMembers > 0, unless it is none
 };
 
-/// Fills what is needed; the rest keeps what it was. `work` is prepared for these transfer functions and this
-/// watch.
+/// Fills what is needed; the rest keeps what it was. `waves`: of these transfer functions and this watch.
 void list_heading_moments(const TransferFunctions& transfer, std::size_t speed, const Watch& watch,
-                          const Needs& needs, const SeaEnergy& sea, const SweepOptions& options,
-                          SweepWorkspace& work, HeadingMoments& out);
+                          const IncidentWaves& waves, const Needs& needs, const SeaEnergy& sea,
+                          const SweepOptions& options, SweepWorkspace& work, HeadingMoments& out);
 
 }  // namespace quickstrip

@@ -62,6 +62,7 @@ struct Solved {
   TransferWorkspace work;
   TransferFunctions transfer;
   Watch watch;
+  IncidentWaves waves;
   std::vector<LocalWatch> local;
   SeaEnergy sea;
   CellResponse cell;
@@ -145,7 +146,8 @@ void add_rows(const Options& options, const StripShip& ship, double speed_kn, So
   refuse(ship.floating->file,
          solve_transfer_functions(*ship.loaded, std::span(&speed, 1), s.work, s.transfer));
   const CriteriaChannels channels = bind_criteria(criteria, s.watch);
-  GridInputs inputs{s.transfer, s.watch, criteria, channels, s.sea};
+  list_incident_waves(s.transfer, s.watch, s.waves);
+  GridInputs inputs{s.transfer, s.watch, s.waves, criteria, channels, s.sea};
   inputs.lpp = hull.lpp;
   inputs.quality = ship.quality;
   inputs.wants_all_bandwidths = true;

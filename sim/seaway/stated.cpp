@@ -13,6 +13,7 @@ namespace {
 struct Solved {
   TransferWorkspace work;
   TransferFunctions transfer;
+  IncidentWaves waves;
   SeaEnergy energy;
   CellResponse cell;
 };
@@ -37,7 +38,8 @@ Result<Stated> stated(const Hull& hull, const LoadedHull& loaded, const Watch& w
     return placed.error();
   }
   const CriteriaChannels channels = bind_criteria(*criteria, watch);
-  GridInputs inputs{s->transfer, watch, *criteria, channels, s->energy};
+  list_incident_waves(s->transfer, watch, s->waves);
+  GridInputs inputs{s->transfer, watch, s->waves, *criteria, channels, s->energy};
   inputs.lpp = hull.lpp;
   inputs.quality = quality;
   if (const Status status = respond(inputs, heading, speed, s->cell); !status) {

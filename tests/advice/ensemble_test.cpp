@@ -124,12 +124,13 @@ class ShiftedShip {
   const Grid& sweep(const RollShift& shift) {
     const GridInputs inputs{.transfer = *transfer_,
                             .watch = watch_,
+                            .waves = *waves_,
                             .criteria = criteria_,
                             .channels = channels_,
                             .sea = *sea_,
                             .lpp = hull_.lpp,
                             .roll_shift = shift};
-    list_incident_waves(*transfer_, watch_, workspace_->sweep.waves);
+    list_incident_waves(*transfer_, watch_, *waves_);
     EXPECT_TRUE(sweep_grid(inputs, *workspace_, *grid_).ok());
     return *grid_;
   }
@@ -139,6 +140,7 @@ class ShiftedShip {
   Criteria criteria_;
   std::unique_ptr<LoadedHull> ship_ = std::make_unique<LoadedHull>();
   Watch watch_;
+  std::unique_ptr<IncidentWaves> waves_ = std::make_unique<IncidentWaves>();
   CriteriaChannels channels_;
   std::unique_ptr<TransferWorkspace> work_ = std::make_unique<TransferWorkspace>();
   std::unique_ptr<TransferFunctions> transfer_ = std::make_unique<TransferFunctions>();

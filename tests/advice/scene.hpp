@@ -26,9 +26,11 @@ class Scene {
     ASSERT_TRUE(list_channels(hull, hull.loading, box_hydrostatics(), SwellUp::kOff, watch).ok());
     channels = bind_criteria(criteria, watch);
   }
-  [[nodiscard]] GridInputs inputs() const {
+  [[nodiscard]] GridInputs inputs() {
+    list_incident_waves(transfer, watch, waves);
     return {.transfer = transfer,
             .watch = watch,
+            .waves = waves,
             .criteria = criteria,
             .channels = channels,
             .sea = sea,
@@ -36,15 +38,13 @@ class Scene {
             .lpp = hull.lpp,
             .min_steerage_speed = hull.min_steerage_speed};
   }
-  void sweep() {
-    list_incident_waves(transfer, watch, workspace.sweep.waves);
-    ASSERT_TRUE(sweep_grid(inputs(), workspace, grid).ok());
-  }
+  void sweep() { ASSERT_TRUE(sweep_grid(inputs(), workspace, grid).ok()); }
 
   Hull hull;
   Criteria criteria;
   TransferFunctions transfer;
   Watch watch;
+  IncidentWaves waves;
   CriteriaChannels channels;
   SeaEnergy sea;
   std::size_t num_headings = kMaxHeadings;

@@ -231,10 +231,15 @@ struct Sweep {
     channels = bind_criteria(criteria, watch);
     is_ready = is_ready && (at.inputs.spectrum != nullptr ? place_on_grid(*at.inputs.spectrum, omega, sea)
                                                           : place_on_grid(at.sea, omega, sea));
-    list_incident_waves(transfer, watch, workspace.sweep.waves);
+    list_incident_waves(transfer, watch, waves);
   }
   [[nodiscard]] GridInputs inputs() const {
-    return {.transfer = transfer, .watch = watch, .criteria = criteria, .channels = channels, .sea = sea};
+    return {.transfer = transfer,
+            .watch = watch,
+            .waves = waves,
+            .criteria = criteria,
+            .channels = channels,
+            .sea = sea};
   }
 
   bool is_ready = false;
@@ -242,6 +247,7 @@ struct Sweep {
   LoadedHull loaded;
   TransferFunctions transfer;
   Watch watch;
+  IncidentWaves waves;
   CriteriaChannels channels;
   SeaEnergy sea;
   GridWorkspace workspace;

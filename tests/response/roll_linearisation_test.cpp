@@ -137,11 +137,12 @@ class LinearisedS175 : public testing::Test {
   // Every seventh heading of the sweep beside the same course by itself.
   void expect_sweep_is_the_courses(double speed) {
     const auto work = std::make_unique<SweepWorkspace>();
+    const auto waves = std::make_unique<IncidentWaves>();
     const auto moments = std::make_unique<HeadingMoments>();
     Needs needs{};
     needs.fill(Need::kVarianceAndLowEncounter);
-    list_incident_waves(*transfer_, watch_, work->waves);
-    list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
+    list_incident_waves(*transfer_, watch_, *waves);
+    list_heading_moments(*transfer_, 0, watch_, *waves, needs, *sea_, {}, *work, *moments);
     std::vector<ResponseMoments> one(watch_.channels.size());
     for (std::size_t h = 0; h < kNumDirections; h += 7) {
       const Heading heading{kTwoPi * static_cast<double>(h) / static_cast<double>(kNumDirections)};
@@ -291,6 +292,7 @@ TEST_F(LinearisedS175, ConvergesInEverySeaOfThePapersTable) {
                                                 {7.45, 9.6},
                                                 {8.70, 10.1}}};
   const auto work = std::make_unique<SweepWorkspace>();
+  const auto waves = std::make_unique<IncidentWaves>();
   const auto moments = std::make_unique<HeadingMoments>();
   Needs needs{};
   double worst = 0.0;
@@ -298,10 +300,10 @@ TEST_F(LinearisedS175, ConvergesInEverySeaOfThePapersTable) {
   double most = 0.0;
   for (const double speed : {0.0, 4.0, 8.28, 12.0}) {
     solve(speed);
-    list_incident_waves(*transfer_, watch_, work->waves);
+    list_incident_waves(*transfer_, watch_, *waves);
     for (const Beaufort& sea : kOcean) {
       place({sea.hs, sea.t1 / 0.772, 0.0, speed, 25.0});  // Tp of a Bretschneider spectrum (formulas §9)
-      list_heading_moments(*transfer_, 0, watch_, needs, *sea_, {}, *work, *moments);
+      list_heading_moments(*transfer_, 0, watch_, *waves, needs, *sea_, {}, *work, *moments);
       const HeadingDamping& found = moments->roll_damping;
       worst = std::max(worst, *std::max_element(found.residual.begin(), found.residual.end()));
       const auto [low, high] = std::minmax_element(found.added.begin(), found.added.end());
