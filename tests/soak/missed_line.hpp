@@ -10,7 +10,7 @@ namespace quickstrip::soak {
 struct MissedLine {
   std::int64_t second = 0;  // of the worst, since the epoch
   int num = 1;
-  double late_ms = 0.0, took_ms = 0.0, period_ms = 0.0, processor_ms = 0.0;  // of the worst
+  double period_ms = 0.0, processor_ms = 0.0;  // of the worst
   int num_waits = 0;
 };
 
