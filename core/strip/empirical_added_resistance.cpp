@@ -83,9 +83,16 @@ bool is_in_range(const EmpiricalShip& ship, double speed) {
          speed <= kMostFroude * std::sqrt(ship.gravity * ship.lpp);
 }
 
+EmpiricalWave empirical_wave(const EmpiricalShip& ship, double omega) {
+  const double lambda = wave_length(omega, ship.gravity);
+  const double longest = 2.5 * ship.lpp;
+  const double decay = -4.0 * kPi * (1.0 / lambda - 1.0 / longest);
+  return {omega, std::log(omega), decay, 1.0 - std::exp(decay * ship.draught), lambda <= longest};
+}
+
 // alpha: from head waves, 0 ... pi, as [ITTC2021] has it.
 EmpiricalResistance::EmpiricalResistance(const EmpiricalShip& ship, EncounterAngle mu, double speed)
-    : ship_(ship), speed_(speed) {
+    : ship_(ship), speed_(speed), log_flatness_(std::log(ship.breadth / ship.draught)) {
   const double alpha = std::clamp(kPi - std::fabs(wrap_pi(mu.radians)), 0.0, kPi);
   const double cos_alpha = std::cos(alpha);
   root_gl_ = std::sqrt(ship.gravity * ship.lpp);
@@ -100,10 +107,9 @@ EmpiricalResistance::EmpiricalResistance(const EmpiricalShip& ship, EncounterAng
   const double by_heading = (-1.377 * froude_ * froude_ + 1.157 * froude_) * std::fabs(cos_alpha) +
                             0.618 * (13.0 + std::cos(2.0 * alpha)) / 14.0;
   // sqrt(L / lambda) = omega sqrt(L / (2 pi g))
-  omega_bar_ = 2.142 * std::cbrt(ship.pitch_gyradius) * std::sqrt(ship.lpp / (kTwoPi * ship.gravity)) *
-               std::pow(ship.cb / 0.65, 0.17) *
-               (1.0 - 0.111 / ship.cb * (std::log(ship.breadth / ship.draught) - std::log(2.75))) *
-               by_heading;
+  log_omega_bar_ = std::log(2.142 * std::cbrt(ship.pitch_gyradius) *
+                            std::sqrt(ship.lpp / (kTwoPi * ship.gravity)) * std::pow(ship.cb / 0.65, 0.17) *
+                            (1.0 - 0.111 / ship.cb * (log_flatness_ - std::log(2.75))) * by_heading);
   d_low_ = 566.0 * std::pow(ship.lpp * ship.cb / ship.breadth, -2.66);
   d_high_ = -566.0 * std::pow(ship.lpp / ship.breadth, -2.66) * (4.0 - 125.0 * trim_angle);
 
@@ -134,8 +140,8 @@ double EmpiricalResistance::speed_factor(double froude) const {
 }
 
 EmpiricalResistance::Factors EmpiricalResistance::ahead(double cos_alpha) const {
-  const double form = std::pow(0.87 / ship_.cb, (1.0 + froude_) * cos_alpha) * (1.0 + 2.0 * cos_alpha) / 3.0 /
-                      std::log(ship_.breadth / ship_.draught);
+  const double form =
+      std::pow(0.87 / ship_.cb, (1.0 + froude_) * cos_alpha) * (1.0 + 2.0 * cos_alpha) / 3.0 / log_flatness_;
   return {form, speed_factor(froude_)};
 }
 
@@ -143,36 +149,32 @@ EmpiricalResistance::Factors EmpiricalResistance::ahead(double cos_alpha) const 
 EmpiricalResistance::Factors EmpiricalResistance::following(double omega) const {
   const double group = 0.5 * ship_.gravity / omega;
   const double relative = (speed_ - group) / root_gl_;
-  const double exponent = relative >= 0.12 ? 1.0 + relative : 1.0;
-  return {std::pow(0.87 / ship_.cb, exponent) / std::log(ship_.breadth / ship_.draught),
+  const double form = 0.87 / ship_.cb;
+  return {(relative >= 0.12 ? std::pow(form, 1.0 + relative) : form) / log_flatness_,
           relative <= 0.0 ? 0.0072 * (2.0 * speed_ / group - 1.0) : speed_factor(relative)};
 }
 
-double EmpiricalResistance::by_motion(double omega) const {
+double EmpiricalResistance::by_motion(const EmpiricalWave& wave) const {
   Factors a = ahead_;
   if (past_beam_ > 0.0) {
-    const Factors f = following(omega);
+    const Factors f = following(wave.omega);
     a.form += past_beam_ * (f.form - a.form);
     a.speed += past_beam_ * (f.speed - a.speed);
   }
-  const double bar = omega_bar_ * omega;
-  const double log_bar = std::log(bar);
-  const double b = bar < 1.0 ? 11.0 : -8.5;
-  const double d = bar < 1.0 ? d_low_ : d_high_;
+  const double log_bar = log_omega_bar_ + wave.log_omega;
+  const double b = log_bar < 0.0 ? 11.0 : -8.5;
+  const double d = log_bar < 0.0 ? d_low_ : d_high_;
   const double shape = std::exp(b * log_bar + b / d * (1.0 - std::exp(d * log_bar)));
   return motion_scale_ * a.form * a.speed * shape;
 }
 
-double EmpiricalResistance::by_reflection(double omega) const {
-  const double lambda = wave_length(omega, ship_.gravity);
-  if (!(lambda <= 2.5 * ship_.lpp)) {
+double EmpiricalResistance::by_reflection(const EmpiricalWave& wave) const {
+  if (!wave.is_short) {
     return 0.0;
   }
-  const double depth = -4.0 * kPi * (1.0 / lambda - 1.0 / (2.5 * ship_.lpp));
-  const double by_speed = 2.0 * omega * speed_ / ship_.gravity;
-  const double ahead_of =
-      (1.0 - std::exp(depth * ship_.draught)) * bluntness_ * (forward_.square + by_speed * forward_.speed);
-  const double behind = (1.0 - std::exp(depth * draught_aft_)) * (aft_.square + by_speed * aft_.speed);
+  const double by_speed = 2.0 * wave.omega * speed_ / ship_.gravity;
+  const double ahead_of = wave.at_draught * bluntness_ * (forward_.square + by_speed * forward_.speed);
+  const double behind = (1.0 - std::exp(wave.decay * draught_aft_)) * (aft_.square + by_speed * aft_.speed);
   return 2.25 / 4.0 * ship_.density * ship_.gravity * ship_.breadth * (ahead_of - behind);
 }
 

@@ -41,16 +41,26 @@ EmpiricalShip empirical_ship(const LoadedHull& hull);
 
 bool is_in_range(const EmpiricalShip& ship, double speed);
 
+/// What depends on the wave's frequency alone, omega > 0 [rad/s].
+struct EmpiricalWave {
+  double omega = 0.0;
+  double log_omega = 0.0;
+  double decay = 0.0;  // exponent of the wave's pressure, over depth, against that of a wave of 2.5 lpp [1/m]
+  double at_draught = 0.0;  // 1 - e^(decay draught)
+  bool is_short = false;    // enough to be reflected: lambda <= 2.5 lpp
+};
+EmpiricalWave empirical_wave(const EmpiricalShip& ship, double omega);
+
 /// One direction at one speed; what does not depend on the wave's frequency is found once.
 class EmpiricalResistance {
  public:
   /// Of a ship and speed [m/s] in range.
   EmpiricalResistance(const EmpiricalShip& ship, EncounterAngle mu, double speed);
 
-  /// omega > 0 [rad/s].
-  [[nodiscard]] double at(double omega) const { return by_motion(omega) + by_reflection(omega); }
-  [[nodiscard]] double by_motion(double omega) const;
-  [[nodiscard]] double by_reflection(double omega) const;
+  /// Of a wave of the same ship.
+  [[nodiscard]] double at(const EmpiricalWave& wave) const { return by_motion(wave) + by_reflection(wave); }
+  [[nodiscard]] double by_motion(const EmpiricalWave& wave) const;
+  [[nodiscard]] double by_reflection(const EmpiricalWave& wave) const;
 
  private:
   // a: form and heading, b: speed (the paper's a1 and a2).
@@ -72,10 +82,11 @@ class EmpiricalResistance {
   double speed_;
   double froude_;
   double root_gl_;
+  double log_flatness_;     // ln(B/T)
   double past_beam_ = 0.0;  // 0 to the beam, 1 following
   Factors ahead_;           // at this direction, or at the beam for those behind it
   double motion_scale_ = 0.0;
-  double omega_bar_ = 0.0;  // over omega
+  double log_omega_bar_ = 0.0;  // ln of it over omega
   double d_low_ = 0.0;
   double d_high_ = 0.0;
   Face forward_;  // sums of the faces that the waves reach

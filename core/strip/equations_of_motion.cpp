@@ -147,7 +147,11 @@ ShipTerms ship_terms(const LoadedHull& hull) {
 }
 
 MetWave met_wave(const LoadedHull& hull, double omega, EncounterAngle mu) {
-  return {omega, wave_number(omega, hull.gravity) * std::cos(mu.radians), encounter_floor(hull, omega)};
+  return met_wave(hull, omega, std::cos(mu.radians));
+}
+
+MetWave met_wave(const LoadedHull& hull, double omega, double cos_mu) {
+  return {omega, wave_number(omega, hull.gravity) * cos_mu, encounter_floor(hull, omega)};
 }
 
 FlooredEncounter MetWave::at(double speed) const {

@@ -34,6 +34,7 @@ struct MetWave {
   [[nodiscard]] FlooredEncounter at(double speed) const;
 };
 MetWave met_wave(const LoadedHull& hull, double omega, EncounterAngle mu);
+MetWave met_wave(const LoadedHull& hull, double omega, double cos_mu);
 
 /// Of the ship herself: inertia, restoring, and surge, which does not depend on frequency.
 struct ShipTerms {

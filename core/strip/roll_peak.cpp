@@ -33,11 +33,10 @@ double real_impedance(const LoadedHull& hull, double omega_e, double speed) {
 struct Sight {
   double width = 0.0;
   double distance = 0.0;
-  std::size_t panels = 1;
   double error = 0.0;  // of a straight line, relative to the peak
-  double area = 0.0;   // of that error over the interval, in rad/s times the peak
-  double gain = 0.0;   // the same times the share of roll that may come from here
+  double gain = 0.0;   // area of that error times the share of roll that may come from here
 };
+using Sights = std::array<Sight, kMaxFrequencies>;
 
 // omega_e is a parabola of omega, its slope 1 - bend omega: steepest at an end, its extreme may lie between.
 Sight sight_of(const RollResonance& resonance, double bend, double from, double to, const Encounter& at_from,
@@ -60,16 +59,23 @@ Sight sight_of(const RollResonance& resonance, double bend, double from, double 
   sight.width = std::max(std::fabs(slope0), std::fabs(slope1)) * (to - from) / resonance.half_width;
   sight.distance =
       std::max({0.0, lowest - resonance.omega, resonance.omega - highest}) / resonance.half_width;
-  const double panels = std::ceil(sight.width / (kPanelWidth * (1.0 + sight.distance)));
-  constexpr std::size_t kMostPanels = kMaxPeakPoints / kPointsOfPanel;
-  constexpr auto kMost = static_cast<double>(kMostPanels);
-  sight.panels = static_cast<std::size_t>(std::clamp(panels, 1.0, kMost));
   const double nearness = 1.0 + sight.distance * sight.distance;
   sight.error = sight.width * sight.width / (nearness * nearness);
-  // A straight line over a curve of curvature 1: width^3 / 12; at most it misses the whole peak, pi/2.
-  const double error_in_half_widths = std::min(0.5 * kPi, sight.width * sight.error / 12.0);
-  sight.area = sight.width > 0.0 ? error_in_half_widths * (to - from) / sight.width : 0.0;
   return sight;
+}
+
+std::size_t panels_of(const Sight& sight) {
+  constexpr std::size_t kMostPanels = kMaxPeakPoints / kPointsOfPanel;
+  constexpr auto kMost = static_cast<double>(kMostPanels);
+  const double panels = std::ceil(sight.width / (kPanelWidth * (1.0 + sight.distance)));
+  return static_cast<std::size_t>(std::clamp(panels, 1.0, kMost));
+}
+
+// Of the error over an interval of `width` rad/s, in rad/s times the peak. A straight line over a curve of
+// curvature 1: width^3 / 12; at most it misses the whole peak, pi/2.
+double area_of_error(const Sight& sight, double width) {
+  const double in_half_widths = std::min(0.5 * kPi, sight.width * sight.error / 12.0);
+  return sight.width > 0.0 ? in_half_widths * width / sight.width : 0.0;
 }
 
 // How much roll each frequency may make: of a sea's slope what reaches roll, relative to the largest. So the
@@ -103,13 +109,8 @@ double largest_near(std::span<const double> share, std::size_t j) {
 // The intervals that gain most, within the capacities.
 using Panels = std::array<std::size_t, kMaxFrequencies>;
 
-Panels choose_panels(std::array<Sight, kMaxFrequencies>& sights) {
+Panels choose_panels(Sights& sights) {
   Panels panels{};
-  const bool is_worthwhile =
-      std::any_of(sights.begin(), sights.end(), [](const Sight& s) { return s.error > kWorthwhile; });
-  if (!is_worthwhile) {
-    return panels;
-  }
   double least = 0.0;
   std::size_t left = kMaxPeakPoints / kPointsOfPanel;
   for (std::size_t n = 0; n < kMaxPeakIntervals && left > 0; ++n) {
@@ -119,7 +120,7 @@ Panels choose_panels(std::array<Sight, kMaxFrequencies>& sights) {
       break;
     }
     least = std::max(least, kLeastGain * best->gain);
-    const std::size_t taken = std::min(best->panels, left);
+    const std::size_t taken = std::min(panels_of(*best), left);
     panels[static_cast<std::size_t>(best - sights.begin())] = taken;
     left -= taken;
     best->gain = 0.0;
@@ -128,7 +129,6 @@ Panels choose_panels(std::array<Sight, kMaxFrequencies>& sights) {
 }
 
 void place_points(std::span<const double> omega, const Panels& panels, RollPeak& out) {
-  out.clear();
   for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
     if (panels[j] == 0) {
       continue;
@@ -150,13 +150,22 @@ void place_points(std::span<const double> omega, const Panels& panels, RollPeak&
 void place_peak(const LoadedHull& hull, EncounterAngle mu, std::span<const double> omega,
                 const PeakSpeed& speed) {
   QS_CHECK(speed.encounters.size() == omega.size() && speed.loads.size() == omega.size());
-  const std::array<double, kMaxFrequencies> share = roll_shares(omega, speed.loads);
+  speed.out->clear();
   const double bend = 2.0 * speed.terms.speed * std::cos(mu.radians) / hull.gravity;
-  std::array<Sight, kMaxFrequencies> sights{};
+  Sights sights{};
+  bool is_worthwhile = false;
   for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
     sights[j] =
         sight_of(speed.resonance, bend, omega[j], omega[j + 1], speed.encounters[j], speed.encounters[j + 1]);
-    sights[j].gain = sights[j].area * largest_near(std::span(share).first(omega.size()), j);
+    is_worthwhile = is_worthwhile || sights[j].error > kWorthwhile;
+  }
+  if (!is_worthwhile) {
+    return;
+  }
+  const std::array<double, kMaxFrequencies> share = roll_shares(omega, speed.loads);
+  for (std::size_t j = 0; j + 1 < omega.size(); ++j) {
+    sights[j].gain = area_of_error(sights[j], omega[j + 1] - omega[j]) *
+                     largest_near(std::span(share).first(omega.size()), j);
   }
   place_points(omega, choose_panels(sights), *speed.out);
 }
@@ -258,6 +267,7 @@ void sum_loads(const LoadedHull& hull, const DirectionWaves& waves, EncounterAng
 bool solve_points(const LoadedHull& hull, const ShipTerms& ship, EncounterAngle mu, const PeakSpeed& speed,
                   std::array<LengthIntegrals, 2>& outside) {
   RollPeak& out = *speed.out;
+  const double cos_mu = std::cos(mu.radians);
   bool finite = true;
   MotionPair at{};
   at.speed = both(speed.terms.speed);
@@ -266,7 +276,7 @@ bool solve_points(const LoadedHull& hull, const ShipTerms& ship, EncounterAngle 
     const std::array<std::size_t, 2> points = {first, std::min(first + 1, out.num_points - 1)};
     for (std::size_t l = 0; l < 2; ++l) {
       const auto omega = static_cast<double>(out.omega[points[l]]);
-      at.omega_e[l] = met_wave(hull, omega, mu).at(speed.terms.speed).floored;
+      at.omega_e[l] = met_wave(hull, omega, cos_mu).at(speed.terms.speed).floored;
       for (std::size_t r = 0; r < 3; ++r) {
         load[r].re[l] = speed.at_points[points[l]][r].real();
         load[r].im[l] = speed.at_points[points[l]][r].imag();

@@ -119,12 +119,16 @@ Status solve_directions(const LoadedHull& hull, std::size_t m, TransferWorkspace
 
 void list_empirical_resistance(const LoadedHull& hull, TransferFunctions& out) {
   const EmpiricalShip ship = empirical_ship(hull);
+  std::array<EmpiricalWave, kMaxFrequencies> waves{};
+  for (std::size_t f = 0; f < out.num_frequencies; ++f) {
+    waves[f] = empirical_wave(ship, out.omega[f]);
+  }
   for (std::size_t v = 0; v < out.num_speeds; ++v) {
     out.has_empirical_resistance[v] = kKeepsEmpiricalResistance && is_in_range(ship, out.speeds[v]);
     for (std::size_t m = 0; m < kNumSolvedDirections && out.has_empirical_resistance[v]; ++m) {
       const EmpiricalResistance resistance(ship, solved_angle(m), out.speeds[v]);
       for (std::size_t f = 0; f < out.num_frequencies; ++f) {
-        out.empirical_resistance[v][m][f] = static_cast<float>(resistance.at(out.omega[f]));
+        out.empirical_resistance[v][m][f] = static_cast<float>(resistance.at(waves[f]));
       }
     }
   }

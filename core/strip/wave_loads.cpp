@@ -20,11 +20,11 @@ constexpr Complex kI(0.0, 1.0);
 void slope_weights(const LoadedHull& hull, const AlongHull& along, ComplexSectionValues& out) {
   const ComplexSectionValues& g = along.at;
   const std::size_t last = hull.num_sections - 1;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const Complex before = i > 0 ? 0.5 * (g[i - 1] + g[i]) : Complex(0.0);
-    const Complex after = i < last ? 0.5 * (g[i] + g[i + 1]) : Complex(0.0);
-    out[i] = before - after;
+  for (std::size_t i = 1; i < last; ++i) {
+    out[i] = 0.5 * (g[i - 1] - g[i + 1]);
   }
+  out[0] = -0.5 * (g[0] + g[1]);
+  out[last] = 0.5 * (g[last - 1] + g[last]);
   if (hull.taper_aft > 0.0 || hull.method.end_terms) {
     out[0] += 0.5 * (g[0] + along.aft);
   }

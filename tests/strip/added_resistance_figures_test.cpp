@@ -151,15 +151,16 @@ TEST(S175AddedResistance, CurveInHeadSeasAt20KnotsIsThatOfVeres) {
 TEST(S175AddedResistance, OfShortWavesIsReflectionWhichOnlyTheSemiEmpiricalMethodHas) {
   const Resistance s175(test::s175(), StripVariant::kOrdinary);
   for (const double speed_kn : {10.0, 20.0}) {
-    const EmpiricalResistance empirical(empirical_ship(s175.hull()), kAhead, speed_kn * kKnot);
+    const EmpiricalShip ship = empirical_ship(s175.hull());
+    const EmpiricalResistance empirical(ship, kAhead, speed_kn * kKnot);
     Peak peak;
     for (double omega = 0.3; omega < 1.4; omega += 0.005) {
-      const double value = empirical.at(omega) / s175.unit();
+      const double value = empirical.at(empirical_wave(ship, omega)) / s175.unit();
       peak = value > peak.value ? Peak{value, omega} : peak;
     }
     const double short_wave = 1.2;  // lambda/L 0.24
     const double ours = s175.at(short_wave, speed_kn * kKnot, RadiatedPower::kPublished);
-    const double theirs = empirical.at(short_wave) / s175.unit();
+    const double theirs = empirical.at(empirical_wave(ship, short_wave)) / s175.unit();
     std::printf(
         "S-175 %2.0f kn head, SNNM: peak %.2f at omega %.3f; at lambda/L 0.24 %.2f, strip theory %.2f\n",
         speed_kn, peak.value, peak.omega, theirs, ours);

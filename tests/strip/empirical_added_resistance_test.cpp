@@ -47,8 +47,10 @@ TEST(EmpiricalResistance, IsWhatAnotherEvaluationOfTheFormulasGives) {
   for (const Point& p : kPoints) {
     const EmpiricalResistance r(ship(), EncounterAngle{radians(p.mu_deg)}, p.speed);
     // Printed to 0.1 N/m2.
-    EXPECT_NEAR(r.by_motion(p.omega), p.motion, 0.06 + 1e-9 * std::fabs(p.motion)) << p.mu_deg;
-    EXPECT_NEAR(r.by_reflection(p.omega), p.reflection, 0.06) << p.mu_deg << " " << p.omega;
+    EXPECT_NEAR(r.by_motion(empirical_wave(ship(), p.omega)), p.motion, 0.06 + 1e-9 * std::fabs(p.motion))
+        << p.mu_deg;
+    EXPECT_NEAR(r.by_reflection(empirical_wave(ship(), p.omega)), p.reflection, 0.06)
+        << p.mu_deg << " " << p.omega;
   }
 }
 
@@ -58,21 +60,22 @@ TEST(EmpiricalResistance, OfShortWavesAheadIsWhatTheEntranceReflects) {
   const double sine = std::sin(s.entrance);
   const double expected = 2.25 / 2.0 * s.density * s.gravity * s.breadth * sine * sine * 0.87 / s.cb;
   const EmpiricalResistance r(s, EncounterAngle{kPi}, 0.0);
-  EXPECT_NEAR(r.by_reflection(3.0), expected, 1e-5 * expected);  // e^{-2 k T} = 2e-8
-  EXPECT_LT(r.by_motion(3.0), 1e-2 * expected);
+  EXPECT_NEAR(r.by_reflection(empirical_wave(s, 3.0)), expected, 1e-5 * expected);  // e^{-2 k T} = 2e-8
+  EXPECT_LT(r.by_motion(empirical_wave(s, 3.0)), 1e-2 * expected);
 }
 
 TEST(EmpiricalResistance, VanishesInLongWaves) {
   for (const double mu_deg : {0.0, 60.0, 90.0, 180.0}) {
     const EmpiricalResistance r(ship(), EncounterAngle{radians(mu_deg)}, 8.0);
-    EXPECT_NEAR(r.at(0.15), 0.0, 10.0) << mu_deg;  // of 300,000 at the peak
+    EXPECT_NEAR(r.at(empirical_wave(ship(), 0.15)), 0.0, 10.0) << mu_deg;  // of 300,000 at the peak
   }
 }
 
 TEST(EmpiricalResistance, IsTheSameFromBothSidesAndContinuousAtTheBeam) {
   for (const double speed : {0.0, 5.0, 11.0}) {
     const auto at = [&](double mu_deg) {
-      return EmpiricalResistance(ship(), EncounterAngle{radians(mu_deg)}, speed).at(0.7);
+      return EmpiricalResistance(ship(), EncounterAngle{radians(mu_deg)}, speed)
+          .at(empirical_wave(ship(), 0.7));
     };
     EXPECT_EQ(at(130.0), at(-130.0));
     EXPECT_EQ(at(40.0), at(-40.0));
@@ -85,7 +88,7 @@ TEST(EmpiricalResistance, IsContinuousWhereTheShipOvertakesTheEnergyOfFollowingW
   const double omega = 0.8;
   const double group = 0.5 * kStandardGravity / omega;
   const auto at = [&](double speed) {
-    return EmpiricalResistance(ship(), EncounterAngle{0.0}, speed).at(omega);
+    return EmpiricalResistance(ship(), EncounterAngle{0.0}, speed).at(empirical_wave(ship(), omega));
   };
   EXPECT_NEAR(at(group - 1e-7), at(group + 1e-7), 1e-5 * std::fabs(at(group)));
 }
@@ -100,8 +103,9 @@ TEST(EmpiricalResistance, FollowsFroudesLaw) {
   const double root = std::sqrt(1.5);
   for (const double mu_deg : {0.0, 50.0, 100.0, 180.0}) {
     const EncounterAngle mu{radians(mu_deg)};
-    const double r = EmpiricalResistance(s, mu, 7.0).at(0.6);
-    EXPECT_NEAR(EmpiricalResistance(twin, mu, 7.0 * root).at(0.6 / root), 1.5 * r, 1e-9 * std::fabs(r));
+    const double r = EmpiricalResistance(s, mu, 7.0).at(empirical_wave(s, 0.6));
+    EXPECT_NEAR(EmpiricalResistance(twin, mu, 7.0 * root).at(empirical_wave(twin, 0.6 / root)), 1.5 * r,
+                1e-9 * std::fabs(r));
   }
 }
 

@@ -11,7 +11,7 @@ ok() { # ok WHAT COMMAND...: yes when the command succeeds
   else
     echo "NO: $what"
     sed 's/^/  /' /tmp/said
-    journalctl -q -o cat -n 4 -u 'quickstrip-*' | sed 's/^/  journal: /'
+    journalctl -q -o cat -n 12 -u 'quickstrip-*' | sed 's/^/  journal: /'
     failed=1
   fi
 }
