@@ -102,7 +102,8 @@ TEST_F(BusyMachine, StoppedForHalfASecondItCountsTellsAndRecovers) {
   advisor_.signal(SIGCONT);
   ASSERT_TRUE(until([&] { return health_.num_deadline_misses > misses; })) << "not counted";
   EXPECT_GT(num_advices_, before);
-  ASSERT_TRUE(until([this] { return advisor_.journal().find("missed") != std::string::npos; }));
+  ASSERT_TRUE(
+      until([this] { return advisor_.journal().find("ms, had the processor for ") != std::string::npos; }));
   ASSERT_TRUE(until([this] { return alerts_[kLateAlert].state == alert_t::STATE_ACTIVE; })) << "not told";
   step_clock(61.0);  // told for a minute after the last late cycle
   ASSERT_TRUE(until([this] { return alerts_[kLateAlert].state == alert_t::STATE_NORMAL; })) << "not over";
